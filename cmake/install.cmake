@@ -1,0 +1,1 @@
+# What is not a program: headers, configuration, launch files, rviz, scripts.

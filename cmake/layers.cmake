@@ -1,0 +1,36 @@
+# The layers, bottom to top: a folder may include what it links, and nothing else.
+set(OPENCV ${OpenCV_LIBS})
+
+rovio_library(util LINKS Threads::Threads)
+rovio_library(geometry LINKS rovio_util Eigen3::Eigen ceres ${OPENCV} TEST_LINKS rovio_synthetic)
+rovio_library(scene LINKS rovio_geometry)
+
+# A synthetic world for the tests of every layer above scene.
+file(GLOB SYNTHETIC CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/synthetic/*.cc)
+list(FILTER SYNTHETIC EXCLUDE REGEX "_test\\.cc$")
+if(SYNTHETIC)
+  add_library(rovio_synthetic STATIC ${SYNTHETIC})
+  rovio_compile_options(rovio_synthetic)
+  target_include_directories(rovio_synthetic PUBLIC ${PROJECT_SOURCE_DIR}/test)
+  target_link_libraries(rovio_synthetic PUBLIC rovio_scene)
+else()
+  add_library(rovio_synthetic INTERFACE)
+  target_link_libraries(rovio_synthetic INTERFACE rovio_scene)
+endif()
+rovio_test(synthetic rovio_synthetic)
+
+rovio_library(rovio    LINKS rovio_scene CURL::libcurl)
+rovio_library(features LINKS rovio_scene ${OPENCV} PkgConfig::DLIB TEST_LINKS rovio_synthetic)
+rovio_library(matching LINKS rovio_scene ${OPENCV} PkgConfig::OPENBLAS TEST_LINKS rovio_synthetic)
+rovio_library(tracks   LINKS rovio_scene TEST_LINKS rovio_synthetic)
+rovio_library(sfm      LINKS rovio_scene ceres ${OPENCV} TEST_LINKS rovio_synthetic)
+rovio_library(io       LINKS rovio_scene ${OPENCV} PkgConfig::YAMLCPP TEST_LINKS rovio_synthetic)
+rovio_library(sim      LINKS rovio_geometry embree PkgConfig::HTTPLIB PkgConfig::YAMLCPP ${OPENCV})
+
+rovio_library(pipeline LINKS rovio_features rovio_matching rovio_tracks rovio_sfm rovio_io
+                       TEST_LINKS rovio_synthetic)
+rovio_library(tools    LINKS rovio_pipeline rovio_io CLI11::CLI11 TEST_LINKS rovio_synthetic)
+if(ROVIO_WITH_ROS)
+  rovio_library(ros    LINKS rovio_tools rovio_pipeline rovio_rovio rovio_io ${catkin_LIBRARIES}
+                       TEST_LINKS rovio_synthetic)
+endif()
