@@ -1,0 +1,151 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "rovio_sfm/scene/frame.h"
+#include "rovio_sfm/scene/ids.h"
+#include "rovio_sfm/scene/map_snapshot.h"
+
+namespace rovio_sfm {
+
+// Feature `feature` of the session's frame `frame` (FrameId::index).
+struct Observation {
+  uint32_t frame = 0;
+  uint32_t feature = 0;
+};
+inline bool operator==(const Observation& a, const Observation& b) {
+  return a.frame == b.frame && a.feature == b.feature;
+}
+inline bool operator<(const Observation& a, const Observation& b) {
+  return a.frame != b.frame ? a.frame < b.frame : a.feature < b.feature;
+}
+
+// The features that should show one point: all matches, whether or not they agree with a landmark.
+struct Track {
+  std::vector<Observation> members;  // keyframes only; sorted, one per frame
+};
+
+// A point of the map and the members of its track that agree with it.
+struct Landmark {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // in the session, map units
+  Rgb color{};
+  std::vector<Observation> observations;  // sorted, one per frame, a subset of the track's members
+};
+
+// A registered keyframe.
+struct Keyframe {
+  int64_t stamp_ns = 0;
+  std::string image_name;
+  bool weak = false;  // its pose is a guess from its neighbour: no triangulation, no reference
+  Rigid3 cam_from_session;
+  std::optional<OdometrySample> odometry;
+  std::optional<Rigid3> base_from_camera;
+  std::vector<Eigen::Vector2d> points;  // normalised, one per feature
+  std::vector<double> sigmas;           // of a feature's position, normalised units
+  std::vector<TrackId> tracks;          // one per feature, 0 none; always roots of the alias table
+  std::vector<uint8_t> observed;        // 1 where the feature observes the landmark of its track
+  uint32_t num_observed = 0;
+};
+
+// A registered light frame: it only has a pose, kept relative to its reference keyframe so that it
+// moves with it, and what it saw, so that it can be resected again.
+struct LightFrame {
+  int64_t stamp_ns = 0;
+  std::string image_name;
+  uint32_t reference = 0;  // index of a keyframe of the session
+  Rigid3 cam_from_reference;
+  std::optional<Rigid3> base_from_camera;
+  std::vector<TrackId> tracks;
+  std::vector<Eigen::Vector2d> points;  // normalised
+  uint32_t num_inliers = 0;
+};
+
+// All state of one session: consecutive frames of one drive in one gauge (the first camera's). Keeps
+// the invariants between frames, tracks and landmarks and does no work of its own. Thread-compatible.
+class Session {
+ public:
+  Session(SessionId id, DriveId drive, Camera camera);
+
+  SessionId id() const { return id_; }
+  const DriveId& drive() const { return drive_; }
+  const Camera& camera() const { return camera_; }
+  SessionState state() const { return state_; }
+  const std::optional<MapScale>& scale() const { return scale_; }
+  const std::map<uint32_t, Keyframe>& keyframes() const { return keyframes_; }
+  const std::map<uint32_t, LightFrame>& light_frames() const { return light_frames_; }
+  const std::map<TrackId, Track>& tracks() const { return tracks_; }
+  const std::map<TrackId, Landmark>& landmarks() const { return landmarks_; }
+  TrackId RootOf(TrackId track) const;
+  const Keyframe& keyframe(uint32_t index) const;
+  const Landmark* FindLandmark(TrackId track) const;  // of the track's root; null if none
+
+  void set_state(SessionState state) { state_ = state; }
+  void set_scale(const MapScale& scale) { scale_ = scale; }
+
+  // Adds a keyframe with its features' tracks; ids may be any alias. A second feature of one track in
+  // the frame is left without a track.
+  void AddKeyframe(uint32_t index, Keyframe keyframe);
+  // Removes a keyframe, its observations, and landmarks left with fewer than two.
+  void RemoveKeyframe(uint32_t index);
+  void AddLightFrame(uint32_t index, LightFrame frame);
+  void SetPose(uint32_t index, const Rigid3& cam_from_session);
+  void SetWeak(uint32_t index, bool weak);
+
+  // A landmark for a track; observations must be members of it, two at least.
+  void AddLandmark(TrackId track, const Eigen::Vector3d& position, Rgb color,
+                   const std::vector<Observation>& observations);
+  void RemoveLandmark(TrackId track);
+  void SetPosition(TrackId track, const Eigen::Vector3d& position);
+  // Adds a member of the landmark's track as an observation of it.
+  void AddObservation(TrackId track, const Observation& observation);
+  // Removes an observation (the feature stays a member); a landmark left with fewer than two goes.
+  void RemoveObservation(TrackId track, const Observation& observation);
+
+  // Puts a feature without a track, or alone in its own, into another track that has no member in
+  // its frame. False if that does not hold.
+  bool MoveToTrack(const Observation& observation, TrackId track);
+  // Unites two tracks under the smaller root, unless both have members in one frame or both have
+  // landmarks (then the caller decides with UniteLandmarks). True if they are one track now.
+  bool UniteTracks(TrackId a, TrackId b);
+  // Unites two tracks with landmarks under the smaller root at the position given; all observations
+  // of both are kept. False (and nothing changes) where both have members in one frame.
+  bool UniteLandmarks(TrackId a, TrackId b, const Eigen::Vector3d& position);
+
+  // Remembers that a and b are one track even if neither is known here yet.
+  bool HasMembersInOneFrame(TrackId a, TrackId b) const;
+
+  // A snapshot that shares the blocks which did not change since the last one.
+  SessionSnapshot Snapshot() const;
+
+  // Names the first broken invariant; empty if all hold.
+  std::string CheckInvariants() const;
+
+ private:
+  Keyframe& MutableKeyframe(uint32_t index);
+  void Observe(const Observation& observation, bool observed);
+  void MarkLandmark(TrackId track) const;
+  void MarkFrame(uint32_t index) const;
+  void MergeMembers(TrackId from, TrackId to);
+
+  SessionId id_;
+  DriveId drive_;
+  Camera camera_;
+  SessionState state_ = SessionState::kBootstrapping;
+  std::optional<MapScale> scale_;
+  std::map<uint32_t, Keyframe> keyframes_;
+  std::map<uint32_t, LightFrame> light_frames_;
+  std::map<TrackId, Track> tracks_;
+  std::map<TrackId, Landmark> landmarks_;
+  std::unordered_map<TrackId, TrackId> alias_;  // look-up only
+
+  // Blocks of the last snapshot by number (id / block size); a missing one changed since.
+  mutable std::map<uint64_t, std::shared_ptr<const FrameBlock>> frame_blocks_;
+  mutable std::map<uint64_t, std::shared_ptr<const LandmarkBlock>> landmark_blocks_;
+};
+
+}  // namespace rovio_sfm
