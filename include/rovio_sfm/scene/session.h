@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -10,6 +11,7 @@
 #include "rovio_sfm/scene/frame.h"
 #include "rovio_sfm/scene/ids.h"
 #include "rovio_sfm/scene/map_snapshot.h"
+#include "rovio_sfm/scene/snapshot_blocks.h"
 
 namespace rovio_sfm {
 
@@ -116,14 +118,11 @@ class Session {
   // of both are kept. False (and nothing changes) where both have members in one frame.
   bool UniteLandmarks(TrackId a, TrackId b, const Eigen::Vector3d& position);
 
-  // Remembers that a and b are one track even if neither is known here yet.
+  // True where no single track could hold the members of both (f1).
   bool HasMembersInOneFrame(TrackId a, TrackId b) const;
 
   // A snapshot that shares the blocks which did not change since the last one.
   SessionSnapshot Snapshot() const;
-
-  // Names the first broken invariant; empty if all hold.
-  std::string CheckInvariants() const;
 
  private:
   Keyframe& MutableKeyframe(uint32_t index);
@@ -144,8 +143,11 @@ class Session {
   std::unordered_map<TrackId, TrackId> alias_;  // look-up only
 
   // Blocks of the last snapshot by number (id / block size); a missing one changed since.
-  mutable std::map<uint64_t, std::shared_ptr<const FrameBlock>> frame_blocks_;
-  mutable std::map<uint64_t, std::shared_ptr<const LandmarkBlock>> landmark_blocks_;
+  mutable FrameBlocks frame_blocks_;
+  mutable LandmarkBlocks landmark_blocks_;
 };
+
+// Names the first broken invariant between frames, tracks and landmarks; empty if all hold.
+std::string CheckInvariants(const Session& session);
 
 }  // namespace rovio_sfm
