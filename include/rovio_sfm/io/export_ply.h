@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/scene/frame.h"
+
+namespace rovio_sfm {
+
+struct CloudPoint {
+  Eigen::Vector3d x_in_map = Eigen::Vector3d::Zero();  // metres or map units
+  Rgb color{};
+  uint32_t session = 0;
+  uint32_t num_views = 0;
+  float error_px = 0.0f;  // mean reprojection error
+};
+
+// The bytes of a binary little-endian PLY: x y z red green blue session views error, one vertex per
+// point, in the order given. The comment says what the lengths are ("metres", "map units").
+std::string PlyBytes(const std::vector<CloudPoint>& points, const std::string& length_unit);
+
+}  // namespace rovio_sfm

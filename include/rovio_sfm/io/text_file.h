@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rovio_sfm {
+
+// One line of a text file, split at white space; its methods throw std::runtime_error that names
+// file, line, field and what was expected.
+struct TextLine {
+  std::string file;
+  int number = 0;  // from 1
+  std::vector<std::string> fields;
+
+  void RequireFields(size_t count, const std::string& layout) const;
+  double Number(size_t field, const char* name) const;        // finite
+  int64_t Stamp(size_t field, const char* name) const;        // decimal seconds, as nanoseconds
+  int PositiveInteger(size_t field, const char* name) const;  // 1 … 1e6
+  [[noreturn]] void Fail(const std::string& reason) const;
+};
+
+// The lines of a text file but comments (#) and blank ones. Throws std::runtime_error where the
+// file cannot be read, is larger than 256 MB or has a line longer than 4096 bytes.
+std::vector<TextLine> ReadTextFile(const std::filesystem::path& path);
+
+// All bytes of a file of at most max_bytes; throws std::runtime_error otherwise.
+std::vector<uint8_t> ReadBytes(const std::filesystem::path& path, uintmax_t max_bytes);
+
+// Decimal seconds (no exponent) as nanoseconds, exact to nine decimals; digits after them are cut.
+// Nothing for anything else, or beyond ±292 years.
+std::optional<int64_t> StampFromDecimal(const std::string& seconds);
+
+// Nanoseconds as decimal seconds: six decimals where they say all, else nine.
+std::string DecimalFromStamp(int64_t stamp_ns);
+
+}  // namespace rovio_sfm

@@ -1,0 +1,76 @@
+#include "rovio_sfm/io/write_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace rovio_sfm {
+namespace {
+
+[[noreturn]] void Fail(const std::filesystem::path& path, const std::string& what, int error) {
+  throw std::runtime_error(path.string() + ": " + what + ": " + std::strerror(error));
+}
+
+// An open file descriptor, closed when it goes.
+class Descriptor {
+ public:
+  Descriptor(const std::filesystem::path& path, int flags)
+      : value_(::open(path.c_str(), flags | O_CLOEXEC, 0644)) {
+    if (value_ < 0) Fail(path, "cannot be opened", errno);
+  }
+  ~Descriptor() { ::close(value_); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int Get() const { return value_; }
+
+ private:
+  int value_;
+};
+
+void WriteAndSync(const std::filesystem::path& path, const std::string& content) {
+  const Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC);
+  for (size_t done = 0; done < content.size();) {
+    const ssize_t count = ::write(file.Get(), content.data() + done, content.size() - done);
+    if (count < 0 && errno != EINTR) Fail(path, "cannot be written", errno);
+    if (count > 0) done += static_cast<size_t>(count);
+  }
+  if (::fsync(file.Get()) != 0) Fail(path, "cannot be synced", errno);
+}
+
+// Gives the temporary file its name; without overwrite, link(2) refuses an existing one atomically.
+void Publish(const std::filesystem::path& temporary, const std::filesystem::path& path,
+             Overwrite overwrite) {
+  if (overwrite == Overwrite::kAllow) {
+    if (::rename(temporary.c_str(), path.c_str()) != 0) Fail(path, "cannot be renamed to", errno);
+    return;
+  }
+  if (::link(temporary.c_str(), path.c_str()) != 0) {
+    if (errno == EEXIST) Fail(path, "not overwritten", EEXIST);
+    Fail(path, "cannot be created", errno);
+  }
+  ::unlink(temporary.c_str());
+}
+
+}  // namespace
+
+void WriteFile(const std::filesystem::path& path, const std::string& content, Overwrite overwrite) {
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (overwrite == Overwrite::kRefuse && std::filesystem::exists(path)) {
+    Fail(path, "not overwritten", EEXIST);
+  }
+  const std::filesystem::path temporary = path.string() + ".tmp" + std::to_string(::getpid());
+  try {
+    WriteAndSync(temporary, content);
+    Publish(temporary, path, overwrite);
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+  const Descriptor directory(folder, O_RDONLY | O_DIRECTORY);
+  if (::fsync(directory.Get()) != 0) Fail(folder, "cannot be synced", errno);
+}
+
+}  // namespace rovio_sfm

@@ -1,0 +1,55 @@
+#include "rovio_sfm/io/calibration.h"
+
+#include "io/temporary_folder.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr char kFreiburg1[] =
+    "# fx fy cx cy k1 k2 p1 p2 k3 width height\n"
+    "517.306408 516.469215 318.64304 255.313989 0.262383 -0.953104 -0.005358 0.002628 1.163314 640 "
+    "480\n";
+
+TEST(ReadCalibrationText, ReadsTheElevenNumbers) {
+  const TemporaryFolder folder;
+  const Camera camera = ReadCalibrationText(folder.Write("calibration.txt", kFreiburg1));
+  EXPECT_EQ(camera.fy, 516.469215);
+  EXPECT_EQ(camera.k3, 1.163314);
+  EXPECT_EQ(camera.width, 640);
+}
+
+TEST(ReadCalibrationText, NamesTheFieldThatIsWrong) {
+  const TemporaryFolder folder;
+  const auto path = folder.Write("calibration.txt", "500 500 320 oops 0 0 0 0 0 640 480\n");
+  const std::string message = MessageOf([&] { ReadCalibrationText(path); });
+  EXPECT_NE(message.find("calibration.txt:1: field cy"), std::string::npos) << message;
+  for (const char* text : {"", "1 2 3\n", "-5 500 320 240 0 0 0 0 0 640 480\n",
+                           "500 500 320 240 0 0 0 0 0 640.5 480\n"}) {
+    EXPECT_NE(MessageOf([&] { ReadCalibrationText(folder.Write("calibration.txt", text)); }), "")
+        << text;
+  }
+}
+
+TEST(CameraInfo, RoundTrips) {
+  const TemporaryFolder folder;
+  const Camera camera = ReadCalibrationText(folder.Write("calibration.txt", kFreiburg1));
+  EXPECT_EQ(ReadCameraInfo(folder.Write("camera.yaml", CameraInfoYaml(camera, "fr1"))), camera);
+}
+
+TEST(ReadCameraInfo, NamesTheKeyThatIsWrong) {
+  const TemporaryFolder folder;
+  Camera camera;
+  camera.fx = camera.fy = 500.0, camera.cx = 320.0, camera.cy = 240.0;
+  camera.width = 640, camera.height = 480;
+  std::string yaml = CameraInfoYaml(camera, "test");
+  yaml.replace(yaml.find("plumb_bob"), 9, "fisheye");
+  const std::string message = MessageOf([&] { ReadCameraInfo(folder.Write("camera.yaml", yaml)); });
+  EXPECT_NE(message.find("distortion_model"), std::string::npos) << message;
+  for (const char* text :
+       {"", "[1, 2", "just text", "camera_matrix: 5\ndistortion_model: plumb_bob"}) {
+    EXPECT_NE(MessageOf([&] { ReadCameraInfo(folder.Write("camera.yaml", text)); }), "") << text;
+  }
+}
+
+}  // namespace
+}  // namespace rovio_sfm
