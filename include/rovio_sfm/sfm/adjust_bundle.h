@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/geometry/rigid3.h"
+
+namespace rovio_sfm {
+
+struct BundleCamera {
+  Rigid3 cam_from_map;
+  bool fixed = false;
+};
+
+struct BundleObservation {
+  uint32_t camera = 0;  // into BundleProblem::cameras
+  uint32_t point = 0;   // into BundleProblem::points
+  Eigen::Vector2d x_normalized = Eigen::Vector2d::Zero();
+  double sigma = 1.0;   // normalised units
+};
+
+// Cameras, points and who sees whom; a copy that may be solved on any thread.
+struct BundleProblem {
+  std::vector<BundleCamera> cameras;
+  std::vector<Eigen::Vector3d> points;
+  std::vector<BundleObservation> observations;
+};
+
+struct BundleOptions {
+  int max_iterations = 10;
+  double loss_sigmas = 1.0;  // scale of the Cauchy loss in residuals of one sigma; 0: squared error
+};
+
+struct BundleReport {
+  bool usable = false;  // false: nothing was changed
+  int iterations = 0;
+  double initial_cost = 0.0, final_cost = 0.0;
+  std::string message;  // why it is not usable
+};
+
+// Minimises the robust reprojection error over the free cameras and all points (§3.8.2). With fewer
+// than two fixed cameras the gauge is held by the first camera and one component of the translation
+// of the camera farthest from it. One thread and a sparse Cholesky in fixed order: same bytes every
+// time. Observations behind their camera make the problem unusable: drop them first.
+BundleReport AdjustBundle(BundleProblem* problem, const BundleOptions& options);
+
+}  // namespace rovio_sfm

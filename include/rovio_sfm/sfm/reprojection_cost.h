@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace ceres {
+class CostFunction;
+class Manifold;
+}  // namespace ceres
+
+namespace rovio_sfm {
+
+// A camera as Ceres sees it: quaternion x y z w, then translation, of cam_from_map.
+constexpr int kPoseSize = 7;
+
+// Two residuals, (projection - x_normalized) / sigma, of a pose block and a point block (3), with
+// analytic Jacobians. The pose's Jacobian is taken in the tangent space of MakePoseManifold and put
+// into the first columns, so it must be used with that manifold alone. The caller owns the result.
+ceres::CostFunction* MakeReprojectionCost(const Eigen::Vector2d& x_normalized, double sigma);
+
+// rotation <- Exp(w) * rotation, translation <- translation + v. With fixed_component 0, 1 or 2 that
+// component of the translation stays (the scale gauge of an adjustment); with -1 none does. The
+// caller owns the result.
+ceres::Manifold* MakePoseManifold(int fixed_component);
+
+}  // namespace rovio_sfm

@@ -1,0 +1,142 @@
+#include "rovio_sfm/sfm/adjust_bundle.h"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "rovio_sfm/sfm/reprojection_cost.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr size_t kMaxDenseCameras = 24;  // up to here a dense Schur complement is faster
+
+using PoseBlock = std::array<double, kPoseSize>;
+
+PoseBlock ToBlock(const Rigid3& cam_from_map) {
+  const auto& q = cam_from_map.rotation;
+  const auto& t = cam_from_map.translation;
+  return {q.x(), q.y(), q.z(), q.w(), t.x(), t.y(), t.z()};
+}
+
+Rigid3 FromBlock(const PoseBlock& b) {
+  return {Eigen::Quaterniond(b[3], b[0], b[1], b[2]).normalized(), {b[4], b[5], b[6]}};
+}
+
+// The cameras that hold the gauge, and the translation component that holds the scale.
+struct Gauge {
+  std::vector<bool> fixed;
+  size_t scale_camera = 0;
+  int scale_component = -1;
+};
+
+Gauge ChooseGauge(const BundleProblem& problem) {
+  Gauge gauge;
+  for (const BundleCamera& camera : problem.cameras) gauge.fixed.push_back(camera.fixed);
+  const auto num_fixed = std::count(gauge.fixed.begin(), gauge.fixed.end(), true);
+  if (num_fixed >= 2) return gauge;
+  size_t origin = 0;
+  if (num_fixed == 1) {
+    origin = static_cast<size_t>(std::find(gauge.fixed.begin(), gauge.fixed.end(), true) -
+                                 gauge.fixed.begin());
+  }
+  gauge.fixed[origin] = true;
+  double widest = 0.0;
+  const Eigen::Vector3d center = OriginInA(problem.cameras[origin].cam_from_map);
+  for (size_t i = 0; i < problem.cameras.size(); ++i) {
+    const Rigid3& pose = problem.cameras[i].cam_from_map;
+    const double distance = (OriginInA(pose) - center).norm();
+    if (distance <= widest) continue;
+    widest = distance;
+    gauge.scale_camera = i;
+    // The component that moves most when the map grows about the first camera.
+    (pose.rotation * (OriginInA(pose) - center)).cwiseAbs().maxCoeff(&gauge.scale_component);
+  }
+  return gauge;
+}
+
+void AddObservations(BundleProblem* problem, const BundleOptions& options,
+                     std::vector<PoseBlock>* poses, ceres::Problem* solver) {
+  ceres::LossFunction* loss =
+      options.loss_sigmas > 0.0 ? new ceres::CauchyLoss(options.loss_sigmas) : nullptr;
+  for (const BundleObservation& observation : problem->observations) {
+    solver->AddResidualBlock(MakeReprojectionCost(observation.x_normalized, observation.sigma), loss,
+                             (*poses)[observation.camera].data(),
+                             problem->points[observation.point].data());
+  }
+}
+
+void SetGauge(const Gauge& gauge, std::vector<PoseBlock>* poses, ceres::Problem* solver) {
+  for (size_t i = 0; i < poses->size(); ++i) {
+    double* block = (*poses)[i].data();
+    if (!solver->HasParameterBlock(block)) continue;
+    const bool holds_scale = gauge.scale_component >= 0 && i == gauge.scale_camera;
+    solver->SetManifold(block, MakePoseManifold(holds_scale ? gauge.scale_component : -1));
+    if (gauge.fixed[i]) solver->SetParameterBlockConstant(block);
+  }
+}
+
+ceres::Solver::Options SolverOptions(const BundleProblem& problem, const BundleOptions& options,
+                                     const Gauge& gauge, std::vector<PoseBlock>* poses,
+                                     std::vector<Eigen::Vector3d>* points,
+                                     const ceres::Problem& solver) {
+  ceres::Solver::Options solver_options;
+  const auto num_free =
+      static_cast<size_t>(std::count(gauge.fixed.begin(), gauge.fixed.end(), false));
+  solver_options.linear_solver_type =
+      num_free <= kMaxDenseCameras ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
+  solver_options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
+  solver_options.dense_linear_algebra_library_type = ceres::EIGEN;
+  solver_options.num_threads = 1;
+  solver_options.max_num_iterations = options.max_iterations;
+  solver_options.function_tolerance = 1e-7;
+  solver_options.logging_type = ceres::SILENT;
+  auto* ordering = new ceres::ParameterBlockOrdering;
+  for (Eigen::Vector3d& point : *points) {
+    if (solver.HasParameterBlock(point.data())) ordering->AddElementToGroup(point.data(), 0);
+  }
+  for (size_t i = 0; i < problem.cameras.size(); ++i) {
+    double* block = (*poses)[i].data();
+    if (solver.HasParameterBlock(block)) ordering->AddElementToGroup(block, 1);
+  }
+  solver_options.linear_solver_ordering.reset(ordering);
+  return solver_options;
+}
+
+}  // namespace
+
+BundleReport AdjustBundle(BundleProblem* problem, const BundleOptions& options) {
+  BundleReport report;
+  if (problem->cameras.size() < 2 || problem->observations.empty()) {
+    report.message = "fewer than two cameras, or no observations";
+    return report;
+  }
+  std::vector<PoseBlock> poses;
+  for (const BundleCamera& camera : problem->cameras) poses.push_back(ToBlock(camera.cam_from_map));
+  const std::vector<Eigen::Vector3d> points_before = problem->points;
+  const Gauge gauge = ChooseGauge(*problem);
+
+  ceres::Problem solver;
+  AddObservations(problem, options, &poses, &solver);
+  SetGauge(gauge, &poses, &solver);
+  ceres::Solver::Summary summary;
+  ceres::Solve(SolverOptions(*problem, options, gauge, &poses, &problem->points, solver), &solver,
+               &summary);
+  report.iterations = static_cast<int>(summary.iterations.size());
+  report.initial_cost = summary.initial_cost;
+  report.final_cost = summary.final_cost;
+  report.usable = summary.IsSolutionUsable();
+  if (!report.usable) {
+    report.message = summary.message;
+    problem->points = points_before;
+    return report;
+  }
+  for (size_t i = 0; i < poses.size(); ++i) {
+    if (!gauge.fixed[i]) problem->cameras[i].cam_from_map = FromBlock(poses[i]);
+  }
+  return report;
+}
+
+}  // namespace rovio_sfm
