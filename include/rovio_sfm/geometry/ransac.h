@@ -1,0 +1,135 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/util/rng.h"
+
+namespace rovio_sfm {
+
+struct RansacOptions {
+  int max_iterations = 1000;  // samples, 1 … 1 000 000
+  int min_iterations = 20;    // samples, 0 … max_iterations; guards against one lucky poor model
+  double confidence = 0.999;  // that one sample was free of outliers, in (0, 1)
+  double threshold = 0.0;     // largest residual of an inlier, in the estimator's unit; > 0
+  // PROSAC (Chum 2005): the data are sorted, best first, and early samples come from the best ones.
+  // After this many samples all data take part; 0 draws from all at once.
+  int prosac_samples = 0;
+
+  bool IsValid(std::string* error) const;
+};
+
+template <typename Model>
+struct RansacReport {
+  Model model{};                  // the best one found
+  double score = 0.0;             // truncated loss (MSAC): sum of min(residual^2 / threshold^2, 1)
+  std::vector<uint32_t> inliers;  // indices of data within the threshold, ascending
+  int num_iterations = 0;
+};
+
+// How many samples find one without outliers with this confidence, at this share of inliers.
+double NumSamplesNeeded(double inlier_share, int sample_size, double confidence);
+
+// Distinct indices below count, drawn without order; needs sample->size() <= count.
+void DrawSample(uint32_t count, Rng& rng, std::vector<uint32_t>* sample);
+
+// The size of the set of best data from which sample number iteration is drawn.
+uint32_t ProsacPoolSize(uint32_t num_data, int sample_size, int iteration, int prosac_samples);
+
+namespace ransac_internal {
+
+// The truncated loss of a model; gives up as soon as it exceeds bound.
+template <typename Estimator>
+double Score(const Estimator& estimator, const typename Estimator::Model& model,
+             double squared_threshold, double bound) {
+  const uint32_t count = estimator.NumData();
+  const double bound_scaled = bound * squared_threshold;
+  double sum = 0.0;
+  for (uint32_t i = 0; i < count; ++i) {
+    const double squared_residual = estimator.SquaredResidual(model, i);
+    sum += squared_residual < squared_threshold ? squared_residual : squared_threshold;
+    if (sum > bound_scaled) break;
+  }
+  return sum / squared_threshold;
+}
+
+template <typename Estimator>
+std::vector<uint32_t> FindInliers(const Estimator& estimator,
+                                  const typename Estimator::Model& model,
+                                  double squared_threshold) {
+  std::vector<uint32_t> inliers;
+  for (uint32_t i = 0; i < estimator.NumData(); ++i) {
+    if (estimator.SquaredResidual(model, i) < squared_threshold) inliers.push_back(i);
+  }
+  return inliers;
+}
+
+// Replaces the report's model where the candidate's score is lower.
+template <typename Estimator>
+bool TakeIfBetter(const Estimator& estimator, const typename Estimator::Model& candidate,
+                  double squared_threshold, RansacReport<typename Estimator::Model>* report) {
+  const double score = Score(estimator, candidate, squared_threshold, report->score);
+  if (!(score < report->score)) return false;
+  report->model = candidate;
+  report->score = score;
+  return true;
+}
+
+// Local optimisation (Chum 2003): fits the inliers again while that lowers the score.
+template <typename Estimator>
+void OptimizeLocally(const Estimator& estimator, double squared_threshold, int max_rounds,
+                     RansacReport<typename Estimator::Model>* report) {
+  for (int round = 0; round < max_rounds; ++round) {
+    const std::vector<uint32_t> inliers = FindInliers(estimator, report->model, squared_threshold);
+    const auto refined = estimator.Refine(report->model, inliers);
+    if (!refined || !TakeIfBetter(estimator, *refined, squared_threshold, report)) return;
+  }
+}
+
+}  // namespace ransac_internal
+
+// RANSAC with truncated-loss score and local optimisation. An Estimator has
+//   using Model; static constexpr int kSampleSize; uint32_t NumData() const;
+//   std::vector<Model> Solve(const std::vector<uint32_t>& sample) const;
+//   double SquaredResidual(const Model&, uint32_t datum) const;
+//   std::optional<Model> Refine(const Model&, const std::vector<uint32_t>& inliers) const;
+// Nothing when there are fewer data than a sample, or no model has an inlier. The same data,
+// options and state of rng give the same report.
+template <typename Estimator>
+std::optional<RansacReport<typename Estimator::Model>> Ransac(const Estimator& estimator,
+                                                              const RansacOptions& options,
+                                                              Rng& rng) {
+  constexpr int kLocalRounds = 2;
+  const uint32_t num_data = estimator.NumData();
+  if (num_data < static_cast<uint32_t>(Estimator::kSampleSize)) return std::nullopt;
+  const double squared_threshold = options.threshold * options.threshold;
+  RansacReport<typename Estimator::Model> report;
+  report.score = num_data;
+  double num_needed = options.max_iterations;
+  std::vector<uint32_t> sample(Estimator::kSampleSize);
+  while (report.num_iterations < options.max_iterations &&
+         (report.num_iterations < num_needed || report.num_iterations < options.min_iterations)) {
+    DrawSample(ProsacPoolSize(num_data, Estimator::kSampleSize, report.num_iterations,
+                              options.prosac_samples),
+               rng, &sample);
+    ++report.num_iterations;
+    bool improved = false;
+    for (const auto& model : estimator.Solve(sample)) {
+      improved |= ransac_internal::TakeIfBetter(estimator, model, squared_threshold, &report);
+    }
+    if (!improved) continue;
+    ransac_internal::OptimizeLocally(estimator, squared_threshold, kLocalRounds, &report);
+    const auto inliers = ransac_internal::FindInliers(estimator, report.model, squared_threshold);
+    num_needed = NumSamplesNeeded(static_cast<double>(inliers.size()) / num_data,
+                                  Estimator::kSampleSize, options.confidence);
+  }
+  if (!(report.score < num_data)) return std::nullopt;
+  report.inliers = ransac_internal::FindInliers(estimator, report.model, squared_threshold);
+  return report;
+}
+
+}  // namespace rovio_sfm

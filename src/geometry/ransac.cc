@@ -1,0 +1,53 @@
+#include "rovio_sfm/geometry/ransac.h"
+
+#include <limits>
+
+namespace rovio_sfm {
+
+bool RansacOptions::IsValid(std::string* error) const {
+  const auto fail = [error](const std::string& message) {
+    if (error != nullptr) *error = message;
+    return false;
+  };
+  if (max_iterations < 1 || max_iterations > 1000000) {
+    return fail("max_iterations is " + std::to_string(max_iterations) + ", must be 1 to 1000000");
+  }
+  if (min_iterations < 0 || min_iterations > max_iterations) {
+    return fail("min_iterations is " + std::to_string(min_iterations) +
+                ", must be 0 to max_iterations");
+  }
+  if (!(confidence > 0.0 && confidence < 1.0)) {
+    return fail("confidence is " + std::to_string(confidence) + ", must be within (0, 1)");
+  }
+  if (!(threshold > 0.0)) {
+    return fail("threshold is " + std::to_string(threshold) + ", must be above 0");
+  }
+  if (prosac_samples < 0) {
+    return fail("prosac_samples is " + std::to_string(prosac_samples) + ", must be 0 or more");
+  }
+  return true;
+}
+
+double NumSamplesNeeded(double inlier_share, int sample_size, double confidence) {
+  const double all_inliers = std::pow(inlier_share, sample_size);
+  if (!(all_inliers > 0.0)) return std::numeric_limits<double>::infinity();
+  if (all_inliers >= 1.0) return 1.0;
+  return std::ceil(std::log1p(-confidence) / std::log1p(-all_inliers));
+}
+
+void DrawSample(uint32_t count, Rng& rng, std::vector<uint32_t>* sample) {
+  for (auto it = sample->begin(); it != sample->end(); ++it) {
+    do {
+      *it = rng.UniformInt(count);
+    } while (std::find(sample->begin(), it, *it) != it);
+  }
+}
+
+uint32_t ProsacPoolSize(uint32_t num_data, int sample_size, int iteration, int prosac_samples) {
+  const uint32_t least = std::min(num_data, static_cast<uint32_t>(4 * sample_size));
+  if (iteration >= prosac_samples) return num_data;
+  const double share = static_cast<double>(iteration) / prosac_samples;
+  return least + static_cast<uint32_t>(share * (num_data - least));
+}
+
+}  // namespace rovio_sfm
