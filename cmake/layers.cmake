@@ -29,8 +29,10 @@ rovio_library(sim      LINKS rovio_geometry embree PkgConfig::HTTPLIB PkgConfig:
 
 rovio_library(pipeline LINKS rovio_features rovio_matching rovio_tracks rovio_sfm rovio_io
                        TEST_LINKS rovio_synthetic)
-rovio_library(tools    LINKS rovio_pipeline rovio_io CLI11::CLI11 TEST_LINKS rovio_synthetic)
+rovio_library(tools    LINKS rovio_pipeline rovio_io CLI11::CLI11 nlohmann_json::nlohmann_json
+                       TEST_LINKS rovio_synthetic)
 if(ROVIO_WITH_ROS)
   rovio_library(ros    LINKS rovio_tools rovio_pipeline rovio_rovio rovio_io ${catkin_LIBRARIES}
                        TEST_LINKS rovio_synthetic)
+  add_dependencies(rovio_ros ${${PROJECT_NAME}_EXPORTED_TARGETS})  # generated headers
 endif()
