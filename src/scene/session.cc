@@ -67,7 +67,8 @@ const Landmark* Session::FindLandmark(TrackId track) const {
 void Session::AddKeyframe(uint32_t index, Keyframe keyframe) {
   ROVIO_CHECK(keyframes_.count(index) == 0 && light_frames_.count(index) == 0);
   const size_t size = keyframe.points.size();
-  ROVIO_CHECK(keyframe.tracks.size() == size && keyframe.sigmas.size() == size);
+  ROVIO_CHECK(keyframe.tracks.size() == size && keyframe.sigmas.size() == size &&
+              keyframe.colors.size() == size);
   keyframe.observed.assign(size, 0);
   keyframe.num_observed = 0;
   for (uint32_t feature = 0; feature < size; ++feature) {

@@ -49,6 +49,7 @@ struct Keyframe {
   std::optional<Rigid3> base_from_camera;
   std::vector<Eigen::Vector2d> points;  // normalised, one per feature
   std::vector<double> sigmas;           // of a feature's position, normalised units
+  std::vector<Rgb> colors;              // one per feature
   std::vector<TrackId> tracks;          // one per feature, 0 none; always roots of the alias table
   std::vector<uint8_t> observed;        // 1 where the feature observes the landmark of its track
   uint32_t num_observed = 0;

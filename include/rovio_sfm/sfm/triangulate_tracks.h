@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "rovio_sfm/geometry/rigid3.h"
+#include "rovio_sfm/scene/session.h"
+
+namespace rovio_sfm {
+
+struct TriangulateTracksOptions {
+  double min_parallax_rad = 0.026;  // between the two views that see the point widest apart
+  double max_error_sigmas = 3.0;    // reprojection error of a view that takes part
+};
+
+// A view of a point: where and how well it is seen.
+struct PointView {
+  Rigid3 cam_from_map;
+  Eigen::Vector2d x_normalized = Eigen::Vector2d::Zero();
+  double sigma = 1.0;
+};
+
+struct TriangulatedPoint {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  std::vector<uint32_t> inliers;  // into the views, ascending, two at least
+};
+
+// The point that most views agree on: hypotheses from pairs of views, the widest apart first, then
+// Linear-Eigen over the agreeing views (A.6.1) and Gauss-Newton. A bad view costs the view, not the
+// point. Nothing where no two views agree, the parallax is small, or the point is behind a view.
+std::optional<TriangulatedPoint> TriangulatePoint(const std::vector<PointView>& views,
+                                                  const TriangulateTracksOptions& options);
+
+struct TriangulateReport {
+  uint32_t num_created = 0;    // new landmarks
+  uint32_t num_completed = 0;  // observations added to landmarks that were there
+};
+
+// Gives landmarks to the frame's tracks that have none and can be triangulated from frames that are
+// not weak, and adds the frame's and its tracks' other members to landmarks they agree with.
+TriangulateReport TriangulateTracks(uint32_t frame, const TriangulateTracksOptions& options,
+                                    Session* session);
+
+}  // namespace rovio_sfm
