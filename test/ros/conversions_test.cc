@@ -1,0 +1,115 @@
+#include "rovio_sfm/ros/conversions.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace rovio_sfm {
+namespace {
+
+Camera SomeCamera() {
+  return {634.0, 629.0, 325.0, 259.0, 0.02, -0.1, 0.001, 0.002, 0.3, 640, 480};
+}
+
+TEST(Conversions, StampsRoundTripToTheNanosecond) {
+  EXPECT_EQ(ToNanoseconds(ToTime(1600000000123456789)), 1600000000123456789);
+}
+
+TEST(Conversions, StampsOutsideTheRangeOfRosAreClamped) {
+  EXPECT_EQ(ToNanoseconds(ToTime(-5)), 0);
+  EXPECT_EQ(ToTime(std::numeric_limits<int64_t>::max()).sec, std::numeric_limits<uint32_t>::max());
+}
+
+TEST(Conversions, CameraRoundTripsThroughItsMessage) {
+  std::string error;
+  const auto camera = FromMessage(ToMessage(SomeCamera()), &error);
+  ASSERT_TRUE(camera) << error;
+  EXPECT_EQ(*camera, SomeCamera());
+}
+
+TEST(Conversions, CameraRoundTripsThroughCameraInfo) {
+  std::string error;
+  const auto camera = FromCameraInfo(ToCameraInfo(SomeCamera(), 5, "optical"), &error);
+  ASSERT_TRUE(camera) << error;
+  EXPECT_EQ(*camera, SomeCamera());
+}
+
+TEST(Conversions, UncalibratedCameraInfoIsRefused) {
+  sensor_msgs::CameraInfo info = ToCameraInfo(SomeCamera(), 5, "optical");
+  info.K.fill(0.0);
+  std::string error;
+  EXPECT_FALSE(FromCameraInfo(info, &error));
+  EXPECT_NE(error.find("uncalibrated"), std::string::npos);
+}
+
+TEST(Conversions, FisheyeCameraInfoIsRefused) {
+  sensor_msgs::CameraInfo info = ToCameraInfo(SomeCamera(), 5, "optical");
+  info.distortion_model = "equidistant";
+  std::string error;
+  EXPECT_FALSE(FromCameraInfo(info, &error));
+}
+
+TEST(Conversions, BinnedCameraInfoIsRefused) {
+  sensor_msgs::CameraInfo info = ToCameraInfo(SomeCamera(), 5, "optical");
+  info.binning_x = 2;
+  std::string error;
+  EXPECT_FALSE(FromCameraInfo(info, &error));
+}
+
+TEST(Conversions, TransformsRoundTrip) {
+  const Rigid3 b_from_a{Eigen::Quaterniond(0.8, 0.0, 0.6, 0.0), Eigen::Vector3d(1.0, 2.0, 3.0)};
+  std::string error;
+  const auto back = FromTransform(ToTransform(b_from_a), &error);
+  ASSERT_TRUE(back) << error;
+  EXPECT_LT((back->translation - b_from_a.translation).norm(), 1e-12);
+  EXPECT_LT(back->rotation.angularDistance(b_from_a.rotation), 1e-12);
+}
+
+TEST(Conversions, ZeroQuaternionIsRefused) {
+  std::string error;
+  EXPECT_FALSE(FromTransform(geometry_msgs::Transform(), &error));
+}
+
+TEST(Conversions, OdometryRoundTripsWithItsCovariance) {
+  const OdometrySample sample{1.0, -2.0, -3.0, {1, 0.1, 0.2, 0.1, 2, 0.3, 0.2, 0.3, 3}};
+  std::string error;
+  const auto back = FromOdometry(ToOdometry(sample, 7, "odom", "base_link"), &error);
+  ASSERT_TRUE(back) << error;
+  EXPECT_DOUBLE_EQ(back->x_m, 1.0);
+  EXPECT_DOUBLE_EQ(back->y_m, -2.0);
+  EXPECT_NEAR(back->yaw_rad, -3.0, 1e-12);
+  EXPECT_EQ(back->covariance, sample.covariance);
+}
+
+TEST(Conversions, UnknownOdometryCovarianceBecomesZeros) {
+  nav_msgs::Odometry message = ToOdometry({}, 7, "odom", "base_link");
+  message.pose.covariance[0] = -1.0;
+  std::string error;
+  const auto sample = FromOdometry(message, &error);
+  ASSERT_TRUE(sample) << error;
+  EXPECT_EQ(sample->covariance, (std::array<double, 9>{}));
+}
+
+TEST(Conversions, OdometryWithoutOrientationIsRefused) {
+  std::string error;
+  EXPECT_FALSE(FromOdometry(nav_msgs::Odometry(), &error));
+}
+
+TEST(Conversions, OdometryThatIsNotFiniteIsRefused) {
+  nav_msgs::Odometry message = ToOdometry({}, 7, "odom", "base_link");
+  message.pose.pose.position.x = std::numeric_limits<double>::quiet_NaN();
+  std::string error;
+  EXPECT_FALSE(FromOdometry(message, &error));
+}
+
+TEST(Conversions, FrameIdsRoundTrip) {
+  const FrameId id{{"rovio1", 1600000000123456789, 3}, 12};
+  std::string error;
+  const auto back = FromMessage(ToMessage(id), &error);
+  ASSERT_TRUE(back) << error;
+  EXPECT_EQ(*back, id);
+}
+
+}  // namespace
+}  // namespace rovio_sfm
