@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rovio_sfm {
+
+struct ImageSize {
+  int width = 0, height = 0;  // px
+};
+
+struct DecodeResult {
+  cv::Mat bgr;         // 8-bit BGR; empty on failure
+  std::string reason;  // why not, in one sentence; empty on success
+};
+
+// The size that a JPEG's frame header or a PNG's IHDR announces, without decoding; nothing if the
+// bytes are neither or the header is broken.
+std::optional<ImageSize> EncodedImageSize(const std::vector<uint8_t>& encoded);
+
+// True if a JPEG holds an end marker after its first scan; a cut-off one would decode half grey.
+bool HasJpegEnd(const std::vector<uint8_t>& encoded);
+
+// Decodes untrusted JPEG or PNG bytes; markers and pixel count are checked first. EXIF orientation
+// is ignored: the calibration belongs to the sensor's rows and columns.
+DecodeResult DecodeImage(const std::vector<uint8_t>& encoded, int64_t max_pixels);
+
+}  // namespace rovio_sfm

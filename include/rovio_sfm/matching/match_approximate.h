@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "rovio_sfm/matching/match_descriptors.h"
+
+namespace rovio_sfm {
+
+// MatchDescriptors by FLANN's trees, for L2 descriptors; a and b hold at least one descriptor of
+// the same length. Seeded: the same input and options give the same matches.
+std::vector<FeatureMatch> MatchApproximately(const Descriptors& a, const Descriptors& b,
+                                             const MatchOptions& options);
+
+}  // namespace rovio_sfm

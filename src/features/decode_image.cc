@@ -1,0 +1,112 @@
+#include "rovio_sfm/features/decode_image.h"
+
+#include <algorithm>
+#include <array>
+#include <opencv2/imgcodecs.hpp>
+
+namespace rovio_sfm {
+namespace {
+
+constexpr std::array<uint8_t, 8> kPngSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+constexpr uint8_t kStartOfImage = 0xd8, kEndOfImage = 0xd9, kStartOfScan = 0xda;
+
+bool IsJpeg(const std::vector<uint8_t>& bytes) {
+  return bytes.size() > 4 && bytes[0] == 0xff && bytes[1] == kStartOfImage && bytes[2] == 0xff;
+}
+
+bool IsPng(const std::vector<uint8_t>& bytes) {
+  return bytes.size() > 24 && std::equal(kPngSignature.begin(), kPngSignature.end(), bytes.begin());
+}
+
+int BigEndian16(const std::vector<uint8_t>& bytes, size_t at) {
+  return (bytes[at] << 8) | bytes[at + 1];
+}
+
+// Start-of-frame markers: C0 to CF without DHT (C4), JPG (C8) and DAC (CC).
+bool IsStartOfFrame(uint8_t marker) {
+  return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+}
+
+struct Segment {
+  uint8_t marker = 0;
+  size_t begin = 0;   // of the two length bytes
+  size_t length = 0;  // with them
+};
+
+// The marker segment that begins at the offset; nothing if the bytes there are no complete one.
+std::optional<Segment> SegmentAt(const std::vector<uint8_t>& bytes, size_t at) {
+  if (at >= bytes.size() || bytes[at] != 0xff) return std::nullopt;
+  while (at < bytes.size() && bytes[at] == 0xff) ++at;  // fill bytes
+  if (at + 3 > bytes.size()) return std::nullopt;
+  Segment segment{bytes[at], at + 1, static_cast<size_t>(BigEndian16(bytes, at + 1))};
+  if (segment.length < 2 || segment.begin + segment.length > bytes.size()) return std::nullopt;
+  return segment;
+}
+
+// The first segment that the predicate accepts, looking no further than the first scan.
+template <typename Predicate>
+std::optional<Segment> FindSegment(const std::vector<uint8_t>& bytes, Predicate accepts) {
+  auto segment = SegmentAt(bytes, 2);
+  while (segment && !accepts(segment->marker)) {
+    if (segment->marker == kStartOfScan) return std::nullopt;
+    segment = SegmentAt(bytes, segment->begin + segment->length);
+  }
+  return segment;
+}
+
+std::optional<ImageSize> JpegSize(const std::vector<uint8_t>& bytes) {
+  const auto frame = FindSegment(bytes, IsStartOfFrame);
+  if (!frame || frame->length < 8) return std::nullopt;
+  return ImageSize{BigEndian16(bytes, frame->begin + 5), BigEndian16(bytes, frame->begin + 3)};
+}
+
+std::optional<ImageSize> PngSize(const std::vector<uint8_t>& bytes) {
+  if (!std::equal(bytes.begin() + 12, bytes.begin() + 16, "IHDR")) return std::nullopt;
+  const auto side = [&](size_t at) {
+    return (static_cast<int64_t>(BigEndian16(bytes, at)) << 16) | BigEndian16(bytes, at + 2);
+  };
+  if (side(16) > INT32_MAX || side(20) > INT32_MAX) return std::nullopt;
+  return ImageSize{static_cast<int>(side(16)), static_cast<int>(side(20))};
+}
+
+DecodeResult Refuse(const std::string& reason) { return {cv::Mat(), reason}; }
+
+}  // namespace
+
+std::optional<ImageSize> EncodedImageSize(const std::vector<uint8_t>& encoded) {
+  std::optional<ImageSize> size;
+  if (IsJpeg(encoded)) size = JpegSize(encoded);
+  if (IsPng(encoded)) size = PngSize(encoded);
+  if (!size || size->width <= 0 || size->height <= 0) return std::nullopt;
+  return size;
+}
+
+bool HasJpegEnd(const std::vector<uint8_t>& encoded) {
+  if (!IsJpeg(encoded)) return false;
+  const auto scan = FindSegment(encoded, [](uint8_t marker) { return marker == kStartOfScan; });
+  if (!scan) return false;
+  // Entropy-coded bytes never hold FF D9: a zero is stuffed after each FF.
+  constexpr std::array<uint8_t, 2> kEnd = {0xff, kEndOfImage};
+  const auto data = encoded.begin() + static_cast<std::ptrdiff_t>(scan->begin + scan->length);
+  return std::search(data, encoded.end(), kEnd.begin(), kEnd.end()) != encoded.end();
+}
+
+DecodeResult DecodeImage(const std::vector<uint8_t>& encoded, int64_t max_pixels) {
+  const auto size = EncodedImageSize(encoded);
+  if (!size) return Refuse("no JPEG or PNG with a readable header");
+  if (static_cast<int64_t>(size->width) * size->height > max_pixels) {
+    return Refuse("image of " + std::to_string(size->width) + "x" + std::to_string(size->height) +
+                  " px: expected at most " + std::to_string(max_pixels) + " pixels");
+  }
+  if (IsJpeg(encoded) && !HasJpegEnd(encoded)) return Refuse("JPEG without an end marker");
+  try {
+    cv::Mat bgr = cv::imdecode(encoded, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
+    if (bgr.empty()) return Refuse("image data cannot be decoded");
+    if (bgr.cols != size->width || bgr.rows != size->height) return Refuse("size is contradictory");
+    return {bgr, ""};
+  } catch (const cv::Exception& exception) {
+    return Refuse("image data cannot be decoded: " + exception.err);
+  }
+}
+
+}  // namespace rovio_sfm

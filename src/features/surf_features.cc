@@ -1,0 +1,68 @@
+#include "rovio_sfm/features/surf_features.h"
+
+#include <dlib/image_keypoint.h>
+#include <dlib/opencv.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rovio_sfm {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+// A SURF feature of scale s covers 20 s pixels; its blob is about 2.5 s wide on either side.
+constexpr double kSizeOfScale = 5.0;
+
+std::vector<cv::KeyPoint> DetectSurf(const dlib::integral_image& integral, double threshold,
+                                     int max_candidates) {
+  dlib::hessian_pyramid pyramid;
+  pyramid.build_pyramid(integral, 4, 6, 2);
+  std::vector<dlib::interest_point> points;
+  dlib::get_interest_points(pyramid, threshold, points);
+  std::vector<cv::KeyPoint> keypoints;
+  for (const dlib::interest_point& p : points) {
+    keypoints.emplace_back(static_cast<float>(p.center.x()), static_cast<float>(p.center.y()),
+                           static_cast<float>(p.scale * kSizeOfScale), 0.0f,
+                           static_cast<float>(p.score));
+  }
+  std::stable_sort(keypoints.begin(), keypoints.end(),
+                   [](const auto& a, const auto& b) { return a.response > b.response; });
+  if (keypoints.size() > static_cast<size_t>(max_candidates)) {
+    keypoints.resize(static_cast<size_t>(max_candidates));
+  }
+  return keypoints;
+}
+
+// Describes the keypoint and sets its angle (degrees, as OpenCV's).
+void DescribeSurf(const dlib::integral_image& integral, cv::KeyPoint* keypoint,
+                  std::vector<uint8_t>* data) {
+  const dlib::vector<double, 2> center(keypoint->pt.x, keypoint->pt.y);
+  const double scale = keypoint->size / kSizeOfScale;
+  const double angle_rad = dlib::compute_dominant_angle(integral, center, scale);
+  dlib::matrix<double, 64, 1> values;
+  dlib::compute_surf_descriptor(integral, center, scale, angle_rad, values);
+  keypoint->angle = static_cast<float>(std::fmod(angle_rad * 180.0 / kPi + 360.0, 360.0));
+  for (const double value : values) {
+    data->push_back(
+        static_cast<uint8_t>(std::clamp(std::round(128.0 + 256.0 * value), 0.0, 255.0)));
+  }
+}
+
+}  // namespace
+
+SurfFeatures ExtractSurf(const cv::Mat& grey, double threshold, int max_candidates,
+                         const SelectOptions& select) {
+  dlib::integral_image integral;
+  integral.load(dlib::cv_image<unsigned char>(grey));
+  SurfFeatures features;
+  features.keypoints =
+      SelectKeypoints(DetectSurf(integral, threshold, max_candidates), grey.size(), select);
+  features.descriptors.type = DescriptorType::kSurf;
+  features.descriptors.length = 64;
+  for (cv::KeyPoint& keypoint : features.keypoints) {
+    DescribeSurf(integral, &keypoint, &features.descriptors.data);
+  }
+  return features;
+}
+
+}  // namespace rovio_sfm

@@ -1,0 +1,94 @@
+#include "rovio_sfm/matching/match_descriptors.h"
+
+#include <cmath>
+#include <limits>
+#include <opencv2/core.hpp>
+
+#include "rovio_sfm/matching/descriptor_products.h"
+#include "rovio_sfm/matching/match_approximate.h"
+#include "rovio_sfm/util/option_checker.h"
+
+namespace rovio_sfm {
+namespace {
+
+struct BestTwo {
+  size_t best = 0;
+  float best_value = -std::numeric_limits<float>::infinity();
+  float second_value = -std::numeric_limits<float>::infinity();
+};
+
+// Greatest 2 a·b - |a|², that is least distance; the first of equals.
+BestTwo FindBestTwo(const float* products, const std::vector<float>& squared_norms) {
+  BestTwo two;
+  for (size_t i = 0; i < squared_norms.size(); ++i) {
+    const float value = 2.0f * products[i] - squared_norms[i];
+    if (value <= two.second_value) continue;
+    if (value > two.best_value) {
+      two.second_value = two.best_value;
+      two.best_value = value;
+      two.best = i;
+    } else {
+      two.second_value = value;
+    }
+  }
+  return two;
+}
+
+std::vector<FeatureMatch> MatchExactL2(const Descriptors& a, const Descriptors& b) {
+  const FloatDescriptors float_a = ToFloat(a), float_b = ToFloat(b);
+  std::vector<FeatureMatch> matches;
+  matches.reserve(b.Count());
+  ForEachProductRow(float_a, float_b, [&](size_t index_b, const float* products) {
+    const BestTwo two = FindBestTwo(products, float_a.squared_norms);
+    const float norm = float_b.squared_norms[index_b];
+    const float second = norm - two.second_value;
+    FeatureMatch match{static_cast<uint32_t>(two.best), static_cast<uint32_t>(index_b), 0.0f, 1.0f};
+    match.distance = std::sqrt(norm - two.best_value);
+    if (std::isfinite(second) && second > 0.0f) match.ratio = match.distance / std::sqrt(second);
+    matches.push_back(match);
+  });
+  return matches;
+}
+
+cv::Mat ByteRows(const Descriptors& descriptors) {
+  return cv::Mat(static_cast<int>(descriptors.Count()), static_cast<int>(descriptors.length), CV_8U,
+                 const_cast<uint8_t*>(descriptors.data.data()));
+}
+
+std::vector<FeatureMatch> MatchExactHamming(const Descriptors& a, const Descriptors& b) {
+  const int num_neighbours = a.Count() > 1 ? 2 : 1;
+  cv::Mat distances, indices;
+  cv::batchDistance(ByteRows(b), ByteRows(a), distances, CV_32S, indices, cv::NORM_HAMMING,
+                    num_neighbours);
+  std::vector<FeatureMatch> matches;
+  for (int row = 0; row < distances.rows; ++row) {
+    FeatureMatch match{static_cast<uint32_t>(indices.at<int>(row, 0)), static_cast<uint32_t>(row),
+                       static_cast<float>(distances.at<int>(row, 0)), 1.0f};
+    if (num_neighbours == 2 && distances.at<int>(row, 1) > 0) {
+      match.ratio = match.distance / static_cast<float>(distances.at<int>(row, 1));
+    }
+    matches.push_back(match);
+  }
+  return matches;
+}
+
+}  // namespace
+
+bool MatchOptions::IsValid(std::string* error) const {
+  OptionChecker checker("match", error);
+  checker.Range("trees", trees, 1, 16);
+  checker.Range("branching", branching, 2, 256);
+  checker.Range("checks", checks, 1, 10000);
+  return checker.Passed();
+}
+
+std::vector<FeatureMatch> MatchDescriptors(const Descriptors& a, const Descriptors& b,
+                                           const MatchOptions& options) {
+  if (a.Count() == 0 || b.Count() == 0) return {};
+  if (a.type != b.type || a.length != b.length || a.metric != b.metric) return {};
+  if (a.metric == DescriptorMetric::kHamming) return MatchExactHamming(a, b);
+  if (options.matcher == Matcher::kExact) return MatchExactL2(a, b);
+  return MatchApproximately(a, b, options);
+}
+
+}  // namespace rovio_sfm
