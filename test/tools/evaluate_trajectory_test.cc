@@ -12,7 +12,7 @@ constexpr char kTruth[] = "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n2 1 1 0 0 0 0 1\n3 
 constexpr char kHalfSize[] =
     "0 0 0 0 0 0 0 1\n1 0.5 0 0 0 0 0 1\n2 0.5 0.5 0 0 0 0 1\n3 0.5 0.5 0.5 0 0 0 1\n";
 
-int Run(const std::vector<std::string>& arguments, std::string* printed) {
+int RunCommand(const std::vector<std::string>& arguments, std::string* printed) {
   std::vector<const char*> argv = {"evaluate_trajectory"};
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
   std::ostringstream out;
@@ -26,11 +26,11 @@ TEST(EvaluateTrajectoryCommand, PrintsJsonWithTheScaleErrorOfAMetricMap) {
   const std::string truth = folder.Write("truth.txt", kTruth);
   const std::string estimate = folder.Write("estimate.txt", kHalfSize);
   std::string printed;
-  ASSERT_EQ(Run({truth, estimate, "--json", "--metric"}, &printed), 0);
+  ASSERT_EQ(RunCommand({truth, estimate, "--json", "--metric"}, &printed), 0);
   const auto json = nlohmann::json::parse(printed);
   EXPECT_NEAR(json["ate_rmse_m"].get<double>(), 0.0, 1e-9);
   EXPECT_NEAR(json["scale_error"].get<double>(), 1.0, 1e-9);
-  ASSERT_EQ(Run({truth, estimate, "--json"}, &printed), 0);
+  ASSERT_EQ(RunCommand({truth, estimate, "--json"}, &printed), 0);
   EXPECT_TRUE(nlohmann::json::parse(printed)["scale_error"].is_null());
 }
 
@@ -38,7 +38,7 @@ TEST(EvaluateTrajectoryCommand, PrintsATable) {
   const TemporaryFolder folder;
   const std::string truth = folder.Write("truth.txt", kTruth);
   std::string printed;
-  ASSERT_EQ(Run({truth, truth}, &printed), 0);
+  ASSERT_EQ(RunCommand({truth, truth}, &printed), 0);
   EXPECT_NE(printed.find("compared                4\n"), std::string::npos) << printed;
 }
 
@@ -47,11 +47,11 @@ TEST(EvaluateTrajectoryCommand, RefusesWhatItCannotCompare) {
   const std::string truth = folder.Write("truth.txt", kTruth);
   const std::string two = folder.Write("two.txt", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n");
   std::string printed;
-  EXPECT_NE(Run({}, &printed), 0);
-  EXPECT_NE(Run({truth, truth, "--max-gap", "0"}, &printed), 0);
-  EXPECT_THROW(Run({truth}, &printed), std::runtime_error);
-  EXPECT_THROW(Run({truth, two}, &printed), std::runtime_error);
-  EXPECT_THROW(Run({truth, "absent.txt"}, &printed), std::runtime_error);
+  EXPECT_NE(RunCommand({}, &printed), 0);
+  EXPECT_NE(RunCommand({truth, truth, "--max-gap", "0"}, &printed), 0);
+  EXPECT_THROW(RunCommand({truth}, &printed), std::runtime_error);
+  EXPECT_THROW(RunCommand({truth, two}, &printed), std::runtime_error);
+  EXPECT_THROW(RunCommand({truth, "absent.txt"}, &printed), std::runtime_error);
 }
 
 }  // namespace

@@ -1,0 +1,88 @@
+#!/usr/bin/python3
+"""Draws a map from above and from the side: plot_map.py CLOUD.ply TRAJECTORY.txt OUT.png
+
+The trajectory fixes the view: its plane of largest extent is "above" unless --level says that the
+map's z axis points up."""
+
+import argparse
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as pyplot
+import numpy
+
+VERTEX = numpy.dtype([("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("red", "u1"), ("green", "u1"),
+                      ("blue", "u1"), ("session", "<u4"), ("views", "<u4"), ("error", "<f4")])
+PERCENTILES = (2, 98)  # of the cloud: what the picture frames beside the path
+
+
+def read_cloud(path):
+    with open(path, "rb") as file:
+        header, body = file.read().split(b"end_header\n", 1)
+    unit = next((line.split("lengths in ")[1] for line in header.decode().splitlines()
+                 if "lengths in " in line), "map units")
+    return numpy.frombuffer(body, VERTEX), unit
+
+
+def read_centers(path):
+    return numpy.loadtxt(path, ndmin=2)[:, 1:4] if open(path).read().strip() else numpy.zeros((0, 3))
+
+
+def upright(trajectory):
+    """Rows: right, forward and up of the picture, from the mean direction of the cameras' y axes."""
+    quaternions = numpy.loadtxt(trajectory, ndmin=2)[:, 4:8]
+    x, y, z, w = quaternions.T
+    down = numpy.stack([2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)], 1).mean(0)
+    forward = numpy.stack([2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)], 1)
+    up = -down / numpy.linalg.norm(down)
+    forward = forward[0] - up * (forward[0] @ up)
+    forward /= numpy.linalg.norm(forward)
+    return numpy.stack([numpy.cross(forward, up), forward, up])
+
+
+def limits(path_axis, cloud_axis):
+    values = [path_axis] + ([numpy.percentile(cloud_axis, PERCENTILES)] if len(cloud_axis) else [])
+    low, high = numpy.concatenate(values).min(), numpy.concatenate(values).max()
+    margin = 0.05 * (high - low) + 1e-6
+    return low - margin, high + margin
+
+
+def draw(axes, path, points, colors, across, along, labels):
+    axes.scatter(points[:, across], points[:, along], s=1.5, c=colors, linewidths=0)
+    axes.plot(path[:, across], path[:, along], color="red", linewidth=1.2)
+    axes.plot(path[:1, across], path[:1, along], "o", color="red", markersize=4)
+    axes.set_xlim(*limits(path[:, across], points[:, across]))
+    axes.set_ylim(*limits(path[:, along], points[:, along]))
+    axes.set_aspect("equal", adjustable="box")
+    axes.set_facecolor("0.92")
+    axes.set_xlabel(labels[0])
+    axes.set_ylabel(labels[1])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    for name in ("cloud", "trajectory", "picture"):
+        parser.add_argument(name)
+    arguments = parser.parse_args()
+    cloud, unit = read_cloud(arguments.cloud)
+    centers = read_centers(arguments.trajectory)
+    if len(centers) == 0:
+        print("plot_map.py: the trajectory is empty", file=sys.stderr)
+        return 1
+    axes_from_map = upright(arguments.trajectory)
+    points = numpy.stack([cloud["x"], cloud["y"], cloud["z"]], 1) @ axes_from_map.T
+    path = centers @ axes_from_map.T
+    colors = numpy.stack([cloud["red"], cloud["green"], cloud["blue"]], 1) / 255.0
+    figure, (above, side) = pyplot.subplots(1, 2, figsize=(14, 7), constrained_layout=True)
+    draw(above, path, points, colors, 0, 1, (f"right [{unit}]", f"forward [{unit}]"))
+    above.set_title(f"from above: {len(cloud)} points, {len(centers)} cameras")
+    draw(side, path, points, colors, 1, 2, (f"forward [{unit}]", f"up [{unit}]"))
+    side.set_title("from the side")
+    figure.savefig(arguments.picture, dpi=100)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
