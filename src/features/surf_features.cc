@@ -13,6 +13,12 @@ constexpr double kPi = 3.14159265358979323846;
 // A SURF feature of scale s covers 20 s pixels; its blob is about 2.5 s wide on either side.
 constexpr double kSizeOfScale = 5.0;
 
+// dlib reads without a check up to 16 scales around a point that it describes.
+bool CanDescribe(const dlib::integral_image& integral, const dlib::interest_point& point) {
+  const auto side = static_cast<unsigned long>(32.0 * point.scale);
+  return dlib::get_rect(integral).contains(dlib::centered_rect(point.center, side, side));
+}
+
 std::vector<cv::KeyPoint> DetectSurf(const dlib::integral_image& integral, double threshold,
                                      int max_candidates) {
   dlib::hessian_pyramid pyramid;
@@ -21,6 +27,7 @@ std::vector<cv::KeyPoint> DetectSurf(const dlib::integral_image& integral, doubl
   dlib::get_interest_points(pyramid, threshold, points);
   std::vector<cv::KeyPoint> keypoints;
   for (const dlib::interest_point& p : points) {
+    if (!CanDescribe(integral, p)) continue;
     keypoints.emplace_back(static_cast<float>(p.center.x()), static_cast<float>(p.center.y()),
                            static_cast<float>(p.scale * kSizeOfScale), 0.0f,
                            static_cast<float>(p.score));

@@ -22,7 +22,7 @@ class ExtractFeaturesOfType : public testing::TestWithParam<DescriptorType> {
 TEST_P(ExtractFeaturesOfType, GivesVectorsOfEqualLengthWithinTheBudget) {
   const cv::Mat image = TexturedImage(320, 240, 3);
   const FrameFeatures features = ExtractFeatures(image, TestCamera(320, 240), Options());
-  EXPECT_GT(features.keypoints.size(), 150u);
+  EXPECT_GT(features.keypoints.size(), 100u);
   EXPECT_LE(features.keypoints.size(), 300u);
   EXPECT_EQ(features.colors.size(), features.keypoints.size());
   EXPECT_EQ(features.descriptors.Count(), features.keypoints.size());
