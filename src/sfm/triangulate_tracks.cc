@@ -107,14 +107,14 @@ bool CreateLandmark(TrackId id, const Track& track, const TriangulateTracksOptio
   return true;
 }
 
-uint32_t CompleteLandmark(TrackId id, const Track& track, const Landmark& landmark,
-                          double max_error_sigmas, Session* session) {
+uint32_t CompleteLandmark(TrackId id, double max_error_sigmas, Session* session) {
+  const Eigen::Vector3d position = session->landmarks().at(id).position;
   std::vector<Observation> missing;
-  for (const Observation& member : track.members) {
+  for (const Observation& member : session->tracks().at(id).members) {
     const Keyframe& frame = session->keyframe(member.frame);
     if (frame.observed[member.feature] || frame.weak) continue;
-    const auto error = ReprojectionError(frame.cam_from_session, frame.points[member.feature],
-                                         landmark.position);
+    const auto error =
+        ReprojectionError(frame.cam_from_session, frame.points[member.feature], position);
     if (error && *error <= max_error_sigmas * frame.sigmas[member.feature]) {
       missing.push_back(member);
     }
@@ -147,23 +147,25 @@ std::optional<TriangulatedPoint> TriangulatePoint(const std::vector<PointView>& 
   return best;
 }
 
+uint32_t CompleteLandmarks(uint32_t frame, double max_error_sigmas, Session* session) {
+  uint32_t num_completed = 0;
+  for (const TrackId id : session->keyframe(frame).tracks) {
+    if (id == 0 || session->landmarks().count(id) == 0) continue;
+    num_completed += CompleteLandmark(id, max_error_sigmas, session);
+  }
+  return num_completed;
+}
+
 TriangulateReport TriangulateTracks(uint32_t frame, const TriangulateTracksOptions& options,
                                     Session* session) {
   TriangulateReport report;
-  const std::vector<TrackId> tracks = session->keyframe(frame).tracks;
-  for (const TrackId id : tracks) {
-    if (id == 0) continue;
+  for (const TrackId id : session->keyframe(frame).tracks) {
+    if (id == 0 || session->landmarks().count(id) == 1) continue;
     const Track& track = session->tracks().at(id);
     if (track.members.size() < 2) continue;
-    if (session->FindLandmark(id) == nullptr &&
-        CreateLandmark(id, track, options, session)) {
-      ++report.num_created;
-    }
-    const Landmark* landmark = session->FindLandmark(id);
-    if (landmark == nullptr) continue;
-    report.num_completed +=
-        CompleteLandmark(id, track, *landmark, options.max_error_sigmas, session);
+    if (CreateLandmark(id, track, options, session)) ++report.num_created;
   }
+  report.num_completed = CompleteLandmarks(frame, options.max_error_sigmas, session);
   return report;
 }
 

@@ -60,7 +60,9 @@ struct MapperOptions {
   PruneOptions prune;
   ScaleOptions scale;
   int max_weak_frames = 3;    // more in a row end the session as lost, 0 to 100
-  double pixel_sigma_px = 1.0;  // of the smallest feature, 0.1 to 20
+  double pixel_sigma_px = 1.0;  // position of a small feature, 0.1 to 20
+  double sigma_size_px = 6.0;   // features larger than that are less certain, 1 to 100
+  double sigma_exponent = 0.5;  // sigma grows with (size / sigma_size_px) to this power, 0 to 2
   uint64_t seed = 1;
   bool IsValid(std::string* error) const;
 };

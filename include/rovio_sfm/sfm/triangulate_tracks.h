@@ -38,8 +38,11 @@ struct TriangulateReport {
   uint32_t num_completed = 0;  // observations added to landmarks that were there
 };
 
+// Adds the members of the frame's tracks to the landmarks they agree with; returns how many.
+uint32_t CompleteLandmarks(uint32_t frame, double max_error_sigmas, Session* session);
+
 // Gives landmarks to the frame's tracks that have none and can be triangulated from frames that are
-// not weak, and adds the frame's and its tracks' other members to landmarks they agree with.
+// not weak, then completes all of the frame's landmarks.
 TriangulateReport TriangulateTracks(uint32_t frame, const TriangulateTracksOptions& options,
                                     Session* session);
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "rovio_sfm/pipeline/events.h"
+#include "rovio_sfm/pipeline/mapper_options.h"
+#include "rovio_sfm/scene/session.h"
+#include "rovio_sfm/util/rng.h"
+
+namespace rovio_sfm {
+
+// Two held frames from which a session can start.
+struct BootstrapPair {
+  size_t first = 0, second = 0;  // into the held frames
+  Rigid3 second_from_first;      // translation of length 1
+  double median_angle_rad = 0.0;
+  size_t num_inliers = 0;
+};
+
+// Tests pairs (h, newest) of the held keyframes over their common tracks, the oldest h first: enough
+// inliers, verdict general, median angle at least min_angle (§3.7). The first pair that reaches the
+// wished angle, else the one with the widest angle; nothing if none will do. `aliases` knows the
+// roots of linked tracks.
+std::optional<BootstrapPair> FindBootstrapPair(const std::deque<FrameEvent>& held,
+                                               const Session& aliases,
+                                               const BootstrapOptions& options, uint64_t seed);
+
+}  // namespace rovio_sfm

@@ -1,0 +1,126 @@
+#include "rovio_sfm/pipeline/adjust_session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "rovio_sfm/sfm/triangulate_tracks.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr uint32_t kMinShared = 15;      // landmarks that make a neighbour worth adjusting
+constexpr size_t kMaxFixedFrames = 30;   // of a local adjustment
+constexpr size_t kMinGlobalFrames = 6;   // smaller maps are covered by local adjustments
+constexpr int kFinalRounds = 5;
+constexpr double kSettledShare = 0.0005;  // of the observations that changed in a round
+
+double Radians(double degrees) { return degrees * M_PI / 180.0; }
+
+BundleOptions LocalBundleOptions(const MapperOptions& options) {
+  return {options.adjust.local_max_iterations, options.adjust.loss_px / options.pixel_sigma_px};
+}
+
+PruneLandmarksOptions PruneWithin(const MapperOptions& options) {
+  return {options.prune.max_error_px / options.pixel_sigma_px,
+          Radians(options.triangulate.min_parallax_deg)};
+}
+
+size_t NumObservations(const Session& session) {
+  size_t count = 0;
+  for (const auto& [id, landmark] : session.landmarks()) count += landmark.observations.size();
+  return count;
+}
+
+uint32_t CompleteAll(const MapperOptions& options, Session* session) {
+  const TriangulateTracksOptions triangulate{
+      Radians(options.triangulate.min_parallax_deg),
+      options.triangulate.max_error_px / options.pixel_sigma_px};
+  uint32_t num_changed = 0;
+  for (const auto& [index, frame] : session->keyframes()) {
+    const TriangulateReport report = TriangulateTracks(index, triangulate, session);
+    num_changed += 2 * report.num_created + report.num_completed;
+  }
+  return num_changed;
+}
+
+PruneLandmarksOptions FinalPrune(const MapperOptions& options, const Session& session) {
+  PruneLandmarksOptions prune = PruneWithin(options);
+  const double spread = ResidualSpread(session);
+  prune.max_error_sigmas =
+      std::min(prune.max_error_sigmas, options.prune.final_error_sigmas * std::sqrt(2.0) * spread);
+  return prune;
+}
+
+}  // namespace
+
+PruneReport AdjustLocally(uint32_t frame, const MapperOptions& options, Session* session) {
+  const auto max_free = static_cast<size_t>(options.adjust.local_frames);
+  SessionBundle bundle = MakeLocalBundle(
+      *session, CovisibleFrames(*session, frame, max_free, kMinShared), kMaxFixedFrames);
+  if (AdjustBundle(&bundle.problem, LocalBundleOptions(options)).usable) {
+    ApplyBundle(bundle, false, session);
+  }
+  return PruneLandmarks(bundle.tracks, PruneWithin(options), session);
+}
+
+PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
+  const double loss_sigmas = options.adjust.loss_px / options.pixel_sigma_px;
+  PruneReport total;
+  for (int round = 0; round < kFinalRounds; ++round) {
+    uint32_t num_changed = CompleteAll(options, session);
+    SessionBundle bundle = MakeGlobalBundle(*session);
+    if (!AdjustBundle(&bundle.problem, {options.adjust.global_max_iterations, loss_sigmas}).usable) {
+      return total;
+    }
+    ApplyBundle(bundle, true, session);
+    const PruneReport pruned = PruneAllLandmarks(FinalPrune(options, *session), session);
+    total.num_observations += pruned.num_observations;
+    total.num_landmarks += pruned.num_landmarks;
+    num_changed += pruned.num_observations;
+    if (num_changed < kSettledShare * static_cast<double>(NumObservations(*session))) break;
+  }
+  SessionBundle bundle = MakeGlobalBundle(*session);
+  if (AdjustBundle(&bundle.problem, {options.adjust.global_max_iterations, 0.0}).usable) {
+    ApplyBundle(bundle, true, session);
+  }
+  return total;
+}
+
+GlobalAdjustment::GlobalAdjustment(const AdjustOptions& options, Executor* executor)
+    : options_(options), executor_(executor) {}
+
+void GlobalAdjustment::MaybeStart(const Session& session) {
+  const size_t num_frames = session.keyframes().size();
+  const size_t num_landmarks = session.landmarks().size();
+  const double growth = 1.0 + options_.global_growth;
+  const bool grown =
+      static_cast<double>(num_frames) > growth * static_cast<double>(num_frames_at_last_) ||
+      static_cast<double>(num_landmarks) > growth * static_cast<double>(num_landmarks_at_last_);
+  if (running_ || num_frames < kMinGlobalFrames || !grown) return;
+  num_frames_at_last_ = num_frames;
+  num_landmarks_at_last_ = num_landmarks;
+  const BundleOptions bundle_options{options_.local_max_iterations, options_.loss_px};
+  running_.emplace();
+  running_->result =
+      executor_->Submit([bundle = MakeGlobalBundle(session), bundle_options]() mutable {
+        if (!AdjustBundle(&bundle.problem, bundle_options).usable) bundle = {};
+        return std::move(bundle);
+      });
+}
+
+bool GlobalAdjustment::Advance(Session* session) {
+  if (!running_ || ++running_->num_keyframes_since < options_.global_delay) return false;
+  const SessionBundle bundle = running_->result.get();
+  running_.reset();
+  if (bundle.frames.empty()) return false;
+  ApplyBundle(bundle, true, session);
+  return true;
+}
+
+void GlobalAdjustment::Abandon() {
+  if (running_) running_->result.wait();
+  running_.reset();
+}
+
+}  // namespace rovio_sfm
