@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <utility>
+
+#include "rovio_sfm/sim/guarded.h"
+#include "rovio_sfm/sim/quirks.h"
+#include "rovio_sfm/sim/robot_backend.h"
+
+namespace rovio_sfm::sim {
+
+// Nanoseconds since the Unix epoch, never running back. May be called from any thread.
+using Clock = std::function<int64_t()>;
+
+// The one way to the robot for many connections: takes the lock, brings the robot up to the clock,
+// then runs the call. Also plays the robot's own software, whose reads of the wheel counters steal
+// ticks (quirk lost_ticks). Thread-safe.
+class RobotAccess {
+ public:
+  RobotAccess(RobotBackend& robot, Clock now_ns, Guarded<Quirks>& quirks);
+
+  template <typename Function>
+  auto With(Function&& function) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    Advance();
+    return std::forward<Function>(function)(robot_);
+  }
+
+  // Brings the robot up to the clock, then renders without the lock.
+  std::optional<CapturedImage> Capture(const CameraSettings& settings);
+
+  int64_t now_ns() const { return now_ns_(); }
+
+ private:
+  void Advance();
+
+  RobotBackend& robot_;
+  const Clock now_ns_;
+  Guarded<Quirks>& quirks_;
+  std::mutex mutex_;
+  int64_t time_ns_ = 0;  // guarded by mutex_: where the robot stands
+};
+
+}  // namespace rovio_sfm::sim

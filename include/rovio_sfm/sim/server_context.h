@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/sim/accounts.h"
+#include "rovio_sfm/sim/frame_feed.h"
+#include "rovio_sfm/sim/guarded.h"
+#include "rovio_sfm/sim/nav_memory.h"
+#include "rovio_sfm/sim/nav_report.h"
+#include "rovio_sfm/sim/open_streams.h"
+#include "rovio_sfm/sim/quirks.h"
+#include "rovio_sfm/sim/robot_access.h"
+#include "rovio_sfm/sim/robot_settings.h"
+#include "rovio_sfm/sim/stop_signal.h"
+
+namespace rovio_sfm::sim {
+
+struct HttpFaceOptions {
+  int64_t drive_hold_ns = 250'000'000;     // how long a drive command acts; > 0. Real: >= ~200 ms
+  int64_t reboot_ns = 30'000'000'000;      // absence after Reboot.cgi; >= 0. The UI allows 30 s
+  int64_t stream_idle_ns = 1'000'000'000;  // without a picture the stream sends a CRLF; > 0
+  int io_timeout_ms = 60'000;              // of a read or write; > 0. The robot's is 60 s
+
+  bool IsValid(std::string* error) const;
+};
+
+// All that the handlers of one robot's requests share; every member guards itself. Lock order: the
+// robot's lock (RobotAccess) before any other; the rest are leaves.
+struct ServerContext {
+  ServerContext(const HttpFaceOptions& options, RobotBackend& robot, Clock now_ns);
+
+  const HttpFaceOptions options;
+  Guarded<Quirks> quirks;
+  Guarded<Accounts> accounts;
+  Guarded<RobotSettings> settings;
+  Guarded<NavMemory> nav_memory;
+  RobotAccess robot;
+  FrameFeed frames;
+  OpenStreams streams;
+  StopSignal stop;
+  // One request at a time, as the robot's request loop; only taken with quirk hang_blocks_all.
+  std::mutex request_loop;
+};
+
+// The robot as a caller of this level sees it reported now.
+RobotSnapshot TakeSnapshot(ServerContext& context, Privilege caller_privilege);
+
+}  // namespace rovio_sfm::sim

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "rovio_sfm/sim/stop_signal.h"
+#include "rovio_sfm/sim/tcp_socket.h"
+
+namespace rovio_sfm::sim {
+
+struct SocketServerOptions {
+  std::string address = "127.0.0.1";  // IPv4; 0.0.0.0 lets the network in
+  int port = 0;                       // 0 … 65535; 0 takes a free one
+  int max_connections = 20;           // [1, 1000]; the robot's limit; more wait unanswered
+
+  bool IsValid(std::string* error) const;
+};
+
+// Listens, and runs the handler once for each connection, on a thread of its own. cpp-httplib is no
+// use for the robot's HTTP: it writes "HTTP/1.1" in every status line and refuses bare LF line
+// ends. Stop (or the destructor) ends every connection and joins every thread.
+class SocketServer {
+ public:
+  using Handler = std::function<void(TcpConnection&)>;
+
+  SocketServer(SocketServerOptions options, Handler handler);
+  ~SocketServer();
+
+  bool Start(std::string* error);  // once
+  void Stop();
+  int port() const { return options_.port; }  // the real one after Start
+
+  // The robot reboots: drops every connection, refuses clients for so long, then listens again on
+  // the same port. Returns at once.
+  void GoAway(std::chrono::nanoseconds duration);
+
+  // Ends every connection now; new ones are welcome.
+  void DropConnections();
+
+ private:
+  struct Session {
+    std::unique_ptr<TcpConnection> connection;
+    std::thread thread;
+    bool finished = false;
+  };
+
+  void AcceptLoop();
+  bool ReopenAfterAbsence();
+  bool WaitForFreePlace();
+  void StartSession(std::unique_ptr<TcpConnection> connection);
+  void RunSession(Session* session);
+  void JoinSessions(bool all);
+
+  SocketServerOptions options_;
+  const Handler handler_;
+  StopSignal stop_;
+  std::thread accept_thread_;
+
+  std::mutex mutex_;
+  std::condition_variable session_finished_;
+  std::unique_ptr<TcpListener> listener_;  // guarded by mutex_, replaced by the accept thread
+  std::list<std::unique_ptr<Session>> sessions_;  // guarded by mutex_
+  std::chrono::nanoseconds absence_{0};           // guarded by mutex_
+  bool stopping_ = false;                         // guarded by mutex_
+};
+
+}  // namespace rovio_sfm::sim

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+
+namespace rovio_sfm::sim {
+
+// Tells many threads to end, once and for good; a wait that can be cut short. Thread-safe.
+class StopSignal {
+ public:
+  void Request();
+  bool IsRequested() const;
+
+  // Returns true as soon as the stop is requested, false after the duration.
+  bool WaitFor(std::chrono::nanoseconds duration) const;
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  bool requested_ = false;  // guarded by mutex_
+};
+
+}  // namespace rovio_sfm::sim

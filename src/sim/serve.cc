@@ -1,0 +1,78 @@
+#include "rovio_sfm/sim/serve.h"
+
+#include <chrono>
+#include <csignal>
+#include <iostream>
+#include <memory>
+
+#include "rovio_sfm/sim/image_folder_backend.h"
+#include "rovio_sfm/sim/parameters.h"
+
+namespace rovio_sfm::sim {
+namespace {
+
+sigset_t BlockEndSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  return signals;
+}
+
+bool SwitchQuirks(const std::vector<std::string>& quirks, RovioHttpServer& server,
+                  std::string* error) {
+  for (const std::string& quirk : quirks) {
+    const size_t equals = quirk.find('=');
+    const auto value =
+        equals == std::string::npos ? std::nullopt : ParseDouble(quirk.substr(equals + 1));
+    if (!value) {
+      *error = "--quirk wants NAME=VALUE, not " + quirk;
+      return false;
+    }
+    if (!server.SetQuirk(quirk.substr(0, equals), *value, error)) return false;
+  }
+  return true;
+}
+
+int Fail(const std::string& error) {
+  std::cerr << "rovio_sim: " << error << std::endl;
+  return 1;
+}
+
+}  // namespace
+
+Clock RealTimeClock() {
+  using std::chrono::duration_cast;
+  using std::chrono::nanoseconds;
+  const auto unix_start = std::chrono::system_clock::now().time_since_epoch();
+  const auto steady_start = std::chrono::steady_clock::now();
+  return [unix_start, steady_start] {
+    const auto elapsed = std::chrono::steady_clock::now() - steady_start;
+    return duration_cast<nanoseconds>(unix_start + elapsed).count();
+  };
+}
+
+int ServeRobot(const ServeOptions& options, RobotBackend& robot) {
+  const sigset_t end_signals = BlockEndSignals();
+  RovioHttpServer server(options.server, robot, RealTimeClock());
+  std::string error;
+  if (!server.Start(&error)) return Fail(error);
+  if (!SwitchQuirks(options.quirks, server, &error)) return Fail(error);
+  server.StartCapturing();
+  std::cout << "rovio_sim: http://" << options.server.socket.address << ":" << server.port() << "/"
+            << std::endl;
+  int signal = 0;
+  sigwait(&end_signals, &signal);
+  server.Stop();
+  return 0;
+}
+
+int ServeImages(const ServeOptions& options, const std::string& folder, bool repeats) {
+  std::string error;
+  const auto robot = ImageFolderBackend::Open(folder, repeats, &error);
+  if (robot == nullptr) return Fail(error);
+  return ServeRobot(options, *robot);
+}
+
+}  // namespace rovio_sfm::sim

@@ -1,0 +1,55 @@
+#include "rovio_sfm/sim/server_context.h"
+
+#include <utility>
+
+namespace rovio_sfm::sim {
+namespace {
+
+bool RequireAtLeast(const char* name, int64_t value, int64_t least, std::string* error) {
+  if (value >= least) return true;
+  *error = std::string(name) + " = " + std::to_string(value) + " is below " + std::to_string(least);
+  return false;
+}
+
+void ShowQuirks(ServerContext& context, RobotSnapshot* snapshot) {
+  context.quirks.With([&](Quirks& quirks) {
+    const int battery = static_cast<int>(quirks.Value(Quirk::kBattery));
+    const int wifi = static_cast<int>(quirks.Value(Quirk::kWifi));
+    if (battery > 0) snapshot->mcu.battery = static_cast<uint8_t>(battery);
+    if (wifi > 0) snapshot->wifi_signal_strength = wifi;
+  });
+}
+
+}  // namespace
+
+bool HttpFaceOptions::IsValid(std::string* error) const {
+  return RequireAtLeast("drive_hold_ns", drive_hold_ns, 1, error) &&
+         RequireAtLeast("reboot_ns", reboot_ns, 0, error) &&
+         RequireAtLeast("stream_idle_ns", stream_idle_ns, 1, error) &&
+         RequireAtLeast("io_timeout_ms", io_timeout_ms, 1, error);
+}
+
+ServerContext::ServerContext(const HttpFaceOptions& face_options, RobotBackend& backend,
+                             Clock now_ns)
+    : options(face_options), robot(backend, std::move(now_ns), quirks) {}
+
+RobotSnapshot TakeSnapshot(ServerContext& context, Privilege caller_privilege) {
+  RobotSnapshot snapshot;
+  context.robot.With([&](RobotBackend& robot) {
+    snapshot.nav = robot.ReadNav();
+    snapshot.mcu = robot.PeekMcu();
+  });
+  snapshot.settings = context.settings.Copy();
+  snapshot.caller_privilege = caller_privilege;
+  snapshot.is_checking_users =
+      context.accounts.With([](Accounts& accounts) { return accounts.is_checking(); });
+  if (const auto picture = context.frames.Latest()) {
+    constexpr uint64_t kIndexWrap = 800000;
+    snapshot.picture_index = static_cast<unsigned>(picture->number % kIndexWrap);
+    snapshot.picture_bytes = static_cast<unsigned>(picture->jpeg->size());
+  }
+  ShowQuirks(context, &snapshot);
+  return snapshot;
+}
+
+}  // namespace rovio_sfm::sim

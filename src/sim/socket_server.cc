@@ -1,0 +1,145 @@
+#include "rovio_sfm/sim/socket_server.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "rovio_sfm/util/log.h"
+
+namespace rovio_sfm::sim {
+
+bool SocketServerOptions::IsValid(std::string* error) const {
+  if (port < 0 || port > 65535) {
+    *error = "port = " + std::to_string(port) + " is outside 0 … 65535";
+    return false;
+  }
+  if (max_connections < 1 || max_connections > 1000) {
+    *error = "max_connections = " + std::to_string(max_connections) + " is outside 1 … 1000";
+    return false;
+  }
+  return true;
+}
+
+SocketServer::SocketServer(SocketServerOptions options, Handler handler)
+    : options_(std::move(options)), handler_(std::move(handler)) {}
+
+SocketServer::~SocketServer() { Stop(); }
+
+bool SocketServer::Start(std::string* error) {
+  if (!options_.IsValid(error)) return false;
+  listener_ = TcpListener::Open(options_.address, options_.port, error);
+  if (listener_ == nullptr) return false;
+  options_.port = listener_->port();
+  accept_thread_ = std::thread([this] { AcceptLoop(); });
+  return true;
+}
+
+void SocketServer::Stop() {
+  stop_.Request();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopping_ = true;
+    if (listener_ != nullptr) listener_->Close();
+    session_finished_.notify_all();
+  }
+  if (accept_thread_.joinable()) accept_thread_.join();
+  DropConnections();
+  JoinSessions(true);
+}
+
+void SocketServer::GoAway(std::chrono::nanoseconds duration) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  absence_ = std::max(absence_, duration);
+  if (listener_ != nullptr) listener_->Close();
+  session_finished_.notify_all();
+}
+
+void SocketServer::DropConnections() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& session : sessions_) {
+    if (session->connection != nullptr) session->connection->Shutdown();
+  }
+}
+
+void SocketServer::AcceptLoop() {
+  while (true) {
+    std::unique_ptr<TcpConnection> connection;
+    // Only this thread replaces the listener, so it may use it without the lock.
+    if (WaitForFreePlace()) connection = listener_->Accept();
+    if (stop_.IsRequested()) return;
+    if (connection != nullptr) {
+      StartSession(std::move(connection));
+    } else if (!ReopenAfterAbsence()) {
+      return;
+    }
+  }
+}
+
+// False when the server stops or goes away meanwhile.
+bool SocketServer::WaitForFreePlace() {
+  JoinSessions(false);
+  std::unique_lock<std::mutex> lock(mutex_);
+  session_finished_.wait(lock, [this] {
+    const auto busy = std::count_if(sessions_.begin(), sessions_.end(),
+                                    [](const auto& session) { return !session->finished; });
+    return stopping_ || absence_.count() > 0 || busy < options_.max_connections;
+  });
+  return !stopping_ && absence_.count() == 0;
+}
+
+// False when the server stops meanwhile, or the port is lost.
+bool SocketServer::ReopenAfterAbsence() {
+  std::chrono::nanoseconds absence{0};
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    absence = std::exchange(absence_, std::chrono::nanoseconds{0});
+    listener_.reset();
+  }
+  DropConnections();
+  JoinSessions(true);
+  // The minimum keeps a failing accept (no descriptors left) from spinning.
+  if (stop_.WaitFor(std::max<std::chrono::nanoseconds>(absence, std::chrono::milliseconds(20)))) {
+    return false;
+  }
+  std::string error;
+  auto listener = TcpListener::Open(options_.address, options_.port, &error);
+  if (listener == nullptr) {
+    LogError("the simulated robot cannot come back: " + error);
+    return false;
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  listener_ = std::move(listener);
+  return !stopping_;
+}
+
+void SocketServer::StartSession(std::unique_ptr<TcpConnection> connection) {
+  auto session = std::make_unique<Session>();
+  session->connection = std::move(connection);
+  Session* const raw = session.get();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  raw->thread = std::thread([this, raw] { RunSession(raw); });
+  sessions_.push_back(std::move(session));
+}
+
+void SocketServer::RunSession(Session* session) {
+  handler_(*session->connection);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  session->connection.reset();
+  session->finished = true;
+  session_finished_.notify_all();
+}
+
+// Joins the finished sessions, or waits for all.
+void SocketServer::JoinSessions(bool all) {
+  std::list<std::unique_ptr<Session>> ended;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (auto it = sessions_.begin(); it != sessions_.end();) {
+      const auto next = std::next(it);
+      if (all || (*it)->finished) ended.splice(ended.end(), sessions_, it);
+      it = next;
+    }
+  }
+  for (const auto& session : ended) session->thread.join();
+}
+
+}  // namespace rovio_sfm::sim
