@@ -1,0 +1,256 @@
+#include "rovio_sfm/matching/verify_pair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "rovio_sfm/geometry/essential.h"
+#include "rovio_sfm/geometry/homography.h"
+#include "rovio_sfm/geometry/pair_estimators.h"
+#include "rovio_sfm/geometry/ransac.h"
+#include "rovio_sfm/geometry/relative_pose.h"
+#include "rovio_sfm/util/check.h"
+
+namespace rovio_sfm {
+namespace {
+
+// Thresholds on the plane z = 1, and the matches sorted for PROSAC.
+struct PairProblem {
+  const VerifyPairOptions& options;
+  double focal_px = 0.0;
+  std::vector<uint32_t> order;  // order[i]: index of the match that is points' element i
+  PointPairs points;
+
+  double Threshold() const { return options.threshold_px / focal_px; }
+};
+
+PairProblem MakeProblem(const std::vector<Eigen::Vector2d>& points_a,
+                        const std::vector<Eigen::Vector2d>& points_b,
+                        const std::vector<FeatureMatch>& matches, double focal_px,
+                        const VerifyPairOptions& options) {
+  PairProblem problem{options, focal_px, std::vector<uint32_t>(matches.size()), {}};
+  std::iota(problem.order.begin(), problem.order.end(), 0u);
+  std::stable_sort(problem.order.begin(), problem.order.end(),
+                   [&](uint32_t i, uint32_t j) { return matches[i].ratio < matches[j].ratio; });
+  for (const uint32_t i : problem.order) {
+    ROVIO_CHECK(matches[i].a < points_a.size() && matches[i].b < points_b.size());
+    problem.points.a.push_back(points_a[matches[i].a]);
+    problem.points.b.push_back(points_b[matches[i].b]);
+  }
+  return problem;
+}
+
+RansacOptions MakeRansacOptions(const PairProblem& problem) {
+  RansacOptions options;
+  options.max_iterations = problem.options.max_iterations;
+  options.min_iterations = std::min(options.min_iterations, options.max_iterations);
+  options.confidence = problem.options.confidence;
+  options.threshold = problem.Threshold();
+  options.prosac_samples = problem.options.prosac_samples;
+  return options;
+}
+
+double Median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// The distance of each match from a pure rotation, on the plane z = 1.
+std::vector<double> RotationFlow(const PointPairs& points, const Eigen::Quaterniond& rotation) {
+  const Eigen::Matrix3d matrix = rotation.toRotationMatrix();
+  std::vector<double> flow(points.Count());
+  for (uint32_t i = 0; i < points.Count(); ++i) {
+    flow[i] = std::sqrt(2.0 * SquaredTransferError(matrix, points.a[i], points.b[i]));
+  }
+  return flow;
+}
+
+// The least-squares rotation, fitted again to the half of the matches it explains best.
+std::optional<Eigen::Quaterniond> EstimateRotationRobustly(const PointPairs& points) {
+  auto rotation = EstimateRotation(points.a, points.b);
+  for (int round = 0; rotation && round < 2; ++round) {
+    const std::vector<double> flow = RotationFlow(points, *rotation);
+    const double limit = 2.0 * Median(flow);
+    std::vector<uint32_t> near;
+    for (uint32_t i = 0; i < points.Count(); ++i) {
+      if (flow[i] <= limit) near.push_back(i);
+    }
+    const PointPairs selected = points.Select(near);
+    rotation = EstimateRotation(selected.a, selected.b);
+  }
+  return rotation;
+}
+
+double MedianSampsonError(const PointPairs& points, const Eigen::Matrix3d& essential) {
+  std::vector<double> errors(points.Count());
+  for (uint32_t i = 0; i < points.Count(); ++i) {
+    errors[i] = std::sqrt(SquaredSampsonError(essential, points.a[i], points.b[i]));
+  }
+  return Median(std::move(errors));
+}
+
+// The angle between the rays of each match once the rotation is removed; its median.
+double MedianParallax(const PointPairs& points, const Eigen::Quaterniond& rotation) {
+  std::vector<double> angles(points.Count());
+  for (uint32_t i = 0; i < points.Count(); ++i) {
+    const Eigen::Vector3d ray_a = rotation * points.a[i].homogeneous();
+    const Eigen::Vector3d ray_b = points.b[i].homogeneous();
+    angles[i] = std::atan2(ray_a.cross(ray_b).norm(), ray_a.dot(ray_b));
+  }
+  return Median(std::move(angles));
+}
+
+// H's share of the summed scores; a model's score here is what its truncated loss saves.
+double HomographyShare(const PairProblem& problem, const PointPairs& inliers, double essential_loss,
+                       Rng& rng) {
+  constexpr int kMaxIterations = 100;
+  RansacOptions options = MakeRansacOptions(problem);
+  options.max_iterations = std::min(options.max_iterations, kMaxIterations);
+  options.prosac_samples = 0;
+  const auto report = Ransac(HomographyEstimator(inliers), options, rng);
+  const double homography_score = report ? inliers.Count() - report->score : 0.0;
+  const double essential_score = inliers.Count() - essential_loss;
+  const double sum = homography_score + essential_score;
+  return sum > 0.0 ? homography_score / sum : 0.0;
+}
+
+// The relative pose from the inliers of an essential matrix, by the method asked for.
+std::optional<Rigid3> EstimatePose(const PointPairs& inliers, const Eigen::Matrix3d& essential,
+                                   PairPoseMethod method) {
+  if (method == PairPoseMethod::kAlgebraic) {
+    const auto algebraic = EstimateAlgebraic(inliers.a, inliers.b);
+    if (algebraic) return PoseFromEssential(*algebraic, inliers.a, inliers.b);
+  }
+  const auto pose = PoseFromEssential(essential, inliers.a, inliers.b);
+  if (!pose) return std::nullopt;
+  return RefineRelativePose(inliers.a, inliers.b, *pose);
+}
+
+bool IsRotation(const PairProblem& problem, double median_flow, double median_error) {
+  const VerifyPairOptions& options = problem.options;
+  return median_flow * problem.focal_px < options.min_flow_px ||
+         median_flow < options.min_flow_noise_ratio * median_error;
+}
+
+template <typename Residual>
+std::vector<uint32_t> SelectWithin(const PointPairs& points, double threshold, Residual residual) {
+  std::vector<uint32_t> selected;
+  for (uint32_t i = 0; i < points.Count(); ++i) {
+    if (residual(points.a[i], points.b[i]) < threshold * threshold) selected.push_back(i);
+  }
+  return selected;
+}
+
+// Fills in the result from the final inliers, given as elements of problem.points.
+void Finish(const PairProblem& problem, const std::vector<uint32_t>& selected,
+            PairVerification* result) {
+  if (selected.size() < static_cast<size_t>(problem.options.min_inliers)) {
+    result->verdict = PairVerdict::kFailed;
+    return;
+  }
+  result->median_parallax_rad =
+      MedianParallax(problem.points.Select(selected), result->cam_b_from_cam_a.rotation);
+  for (const uint32_t i : selected) result->inliers.push_back(problem.order[i]);
+  std::sort(result->inliers.begin(), result->inliers.end());
+}
+
+// Inliers of a pure rotation obey it in both directions of the image, which refuses more outliers.
+void FinishRotation(const PairProblem& problem, const Eigen::Quaterniond& rotation,
+                    PairVerification* result) {
+  const auto residual_of = [](const Eigen::Matrix3d& matrix) {
+    return [matrix](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+      return SquaredTransferError(matrix, a, b);
+    };
+  };
+  result->verdict = PairVerdict::kRotation;
+  result->cam_b_from_cam_a = {rotation, Eigen::Vector3d::Zero()};
+  // Twice the threshold: a little parallax is left even where the verdict is a rotation.
+  const double threshold = 2.0 * problem.Threshold();
+  std::vector<uint32_t> selected =
+      SelectWithin(problem.points, threshold, residual_of(rotation.toRotationMatrix()));
+  const PointPairs near = problem.points.Select(selected);
+  if (const auto refined = EstimateRotation(near.a, near.b)) {
+    result->cam_b_from_cam_a.rotation = *refined;
+    selected = SelectWithin(problem.points, threshold, residual_of(refined->toRotationMatrix()));
+  }
+  Finish(problem, selected, result);
+}
+
+void FinishTranslation(const PairProblem& problem, const PointPairs& inliers,
+                       const Eigen::Matrix3d& essential, PairVerification* result) {
+  const auto pose = EstimatePose(inliers, essential, problem.options.pose_method);
+  if (!pose) return;
+  result->verdict = result->homography_share > problem.options.max_homography_share
+                        ? PairVerdict::kPlanar
+                        : PairVerdict::kGeneral;
+  result->cam_b_from_cam_a = *pose;
+  const Eigen::Matrix3d refined = EssentialFromPose(*pose);
+  const std::vector<uint32_t> selected = SelectWithin(
+      problem.points, problem.Threshold(), [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+        return IsInFront(*pose, a, b) ? SquaredSampsonError(refined, a, b) : 1e6;
+      });
+  Finish(problem, selected, result);
+}
+
+bool Refuse(const char* name, double value, const char* bound, std::string* error) {
+  if (error != nullptr) {
+    *error = std::string(name) + " is " + std::to_string(value) + ", must be " + bound;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool VerifyPairOptions::IsValid(std::string* error) const {
+  if (!(threshold_px > 0.0 && threshold_px <= 50.0)) {
+    return Refuse("threshold_px", threshold_px, "in (0, 50]", error);
+  }
+  if (min_inliers < 8) return Refuse("min_inliers", min_inliers, "8 or more", error);
+  if (max_iterations < 1 || max_iterations > 100000) {
+    return Refuse("max_iterations", max_iterations, "1 to 100000", error);
+  }
+  if (!(confidence > 0.0 && confidence < 1.0)) {
+    return Refuse("confidence", confidence, "in (0, 1)", error);
+  }
+  if (prosac_samples < 0) return Refuse("prosac_samples", prosac_samples, "0 or more", error);
+  if (!(max_homography_share > 0.0 && max_homography_share < 1.0)) {
+    return Refuse("max_homography_share", max_homography_share, "in (0, 1)", error);
+  }
+  if (!(min_flow_px >= 0.0)) return Refuse("min_flow_px", min_flow_px, "0 or more", error);
+  if (!(min_flow_noise_ratio >= 0.0)) {
+    return Refuse("min_flow_noise_ratio", min_flow_noise_ratio, "0 or more", error);
+  }
+  return true;
+}
+
+PairVerification VerifyPair(const std::vector<Eigen::Vector2d>& points_a,
+                            const std::vector<Eigen::Vector2d>& points_b,
+                            const std::vector<FeatureMatch>& matches, double focal_px,
+                            const VerifyPairOptions& options, Rng& rng) {
+  ROVIO_CHECK(focal_px > 0.0);
+  PairVerification result;
+  if (matches.size() < static_cast<size_t>(options.min_inliers)) return result;
+  const PairProblem problem = MakeProblem(points_a, points_b, matches, focal_px, options);
+  const auto report = Ransac(EssentialEstimator(problem.points), MakeRansacOptions(problem), rng);
+  if (!report) return result;
+  result.num_iterations = report->num_iterations;
+  if (report->inliers.size() < static_cast<size_t>(options.min_inliers)) return result;
+  const PointPairs inliers = problem.points.Select(report->inliers);
+  const auto rotation = EstimateRotationRobustly(inliers);
+  if (!rotation) return result;
+  const double median_flow = Median(RotationFlow(inliers, *rotation));
+  result.median_flow_px = median_flow * focal_px;
+  const double outlier_loss = problem.points.Count() - static_cast<double>(inliers.Count());
+  result.homography_share = HomographyShare(problem, inliers, report->score - outlier_loss, rng);
+  if (IsRotation(problem, median_flow, MedianSampsonError(inliers, report->model))) {
+    FinishRotation(problem, *rotation, &result);
+  } else {
+    FinishTranslation(problem, inliers, report->model, &result);
+  }
+  return result;
+}
+
+}  // namespace rovio_sfm
