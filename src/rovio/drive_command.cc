@@ -1,0 +1,100 @@
+#include "rovio_sfm/rovio/drive_command.h"
+
+#include <cmath>
+
+namespace rovio_sfm {
+namespace {
+
+bool FallsSteadily(const std::array<double, 10>& table) {
+  for (size_t i = 0; i + 1 < table.size(); ++i) {
+    if (!(table[i] > table[i + 1])) return false;
+  }
+  return table.back() > 0.0 && table.front() <= 100.0;
+}
+
+// The number whose value is next to the wish.
+int NearestNumber(const std::array<double, 10>& table, double wish) {
+  size_t best = 0;
+  for (size_t i = 1; i < table.size(); ++i) {
+    if (std::abs(table[i] - wish) < std::abs(table[best] - wish)) best = i;
+  }
+  return static_cast<int>(best) + 1;
+}
+
+// The direction of eight whose sector of 45 deg holds (forward, left).
+DriveCode DirectionOf(double forward, double left) {
+  constexpr std::array<DriveCode, 8> kDirections = {
+      DriveCode::kForward,  DriveCode::kForwardLeft,   DriveCode::kLeft,  DriveCode::kBackwardLeft,
+      DriveCode::kBackward, DriveCode::kBackwardRight, DriveCode::kRight, DriveCode::kForwardRight};
+  const int sector = static_cast<int>(std::lround(std::atan2(left, forward) / (M_PI / 4.0)));
+  return kDirections[static_cast<size_t>((sector + 8) % 8)];
+}
+
+}  // namespace
+
+bool DriveOptions::IsValid(std::string* error) const {
+  if (!FallsSteadily(speed_m_per_s) || !FallsSteadily(turn_rad_per_s)) {
+    *error = "speed_m_per_s and turn_rad_per_s must each fall from number 1 to 10, above 0";
+    return false;
+  }
+  if (min_speed_m_per_s < 0.0 || min_turn_rad_per_s < 0.0 || !(turn_radius_m > 0.0)) {
+    *error = "min_speed_m_per_s and min_turn_rad_per_s must be >= 0, turn_radius_m > 0";
+    return false;
+  }
+  if (repeat_period_ns < 20000000 || repeat_period_ns > 200000000) {
+    *error = "repeat period must be 0.02 … 0.2 s: the robot holds a command for about 0.2 s";
+    return false;
+  }
+  if (max_command_age_ns < repeat_period_ns || max_command_age_ns > 5000000000) {
+    *error = "cmd_vel time-out must be between the repeat period and 5 s";
+    return false;
+  }
+  return true;
+}
+
+DriveCommand ChooseDrive(const BaseVelocity& velocity, const DriveOptions& options) {
+  const double speed = std::hypot(velocity.forward_m_per_s, velocity.left_m_per_s);
+  const double turn = std::abs(velocity.yaw_rad_per_s);
+  if (!std::isfinite(speed) || !std::isfinite(turn)) return {};
+  const bool moves = speed >= options.min_speed_m_per_s;
+  const bool turns = turn >= options.min_turn_rad_per_s;
+  if (!moves && !turns) return {};
+  if (!moves || (turns && turn * options.turn_radius_m > speed)) {
+    const DriveCode code =
+        velocity.yaw_rad_per_s > 0.0 ? DriveCode::kRotateLeft : DriveCode::kRotateRight;
+    return {code, NearestNumber(options.turn_rad_per_s, turn)};
+  }
+  return {DirectionOf(velocity.forward_m_per_s, velocity.left_m_per_s),
+          NearestNumber(options.speed_m_per_s, speed)};
+}
+
+void DriveScheduler::SetWish(const BaseVelocity& velocity, int64_t now_ns) {
+  wish_ = ChooseDrive(velocity, options_);
+  wish_ns_ = now_ns;
+}
+
+std::optional<DriveCommand> DriveScheduler::Next(int64_t now_ns) {
+  if (now_ns - wish_ns_ > options_.max_command_age_ns) wish_ = {};
+  if (wish_.code == DriveCode::kStop) {
+    if (!is_moving_) return std::nullopt;
+    if (last_sent_.code == DriveCode::kStop && now_ns - last_sent_ns_ < options_.repeat_period_ns) {
+      return std::nullopt;
+    }
+  } else if (now_ns - last_sent_ns_ < options_.repeat_period_ns) {
+    return std::nullopt;
+  }
+  last_sent_ns_ = now_ns;
+  last_sent_ = wish_;
+  if (wish_.code != DriveCode::kStop) is_moving_ = true;
+  return wish_;
+}
+
+void DriveScheduler::MarkSent(const DriveCommand& command, bool has_arrived) {
+  if (!has_arrived) {
+    wish_ = {};
+  } else if (command.code == DriveCode::kStop && wish_.code == DriveCode::kStop) {
+    is_moving_ = false;
+  }
+}
+
+}  // namespace rovio_sfm

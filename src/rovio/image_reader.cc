@@ -1,0 +1,170 @@
+#include "rovio_sfm/rovio/image_reader.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "rovio_sfm/rovio/jpeg_check.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr double kNanosecondsPerSecond = 1e9;
+
+int64_t Nanoseconds(double seconds) {
+  return static_cast<int64_t>(seconds * kNanosecondsPerSecond);
+}
+
+std::string ReasonOf(const HttpResponse& response, const MjpegParser* parser) {
+  if (parser != nullptr && parser->Fault() != MjpegFault::kNone) {
+    return std::string("stream: ") + NameOf(parser->Fault());
+  }
+  if (response.status == 401) return "stream: login refused (401)";
+  if (response.status != 0 && response.status != 200) {
+    return "stream: HTTP status " + std::to_string(response.status);
+  }
+  if (response.fault != HttpFault::kNone && response.fault != HttpFault::kCancelled) {
+    return std::string("stream: ") + NameOf(response.fault) + ": " + response.message;
+  }
+  return parser == nullptr ? "stream: no multipart answer" : "stream: ended by the robot";
+}
+
+}  // namespace
+
+bool ImageReaderOptions::IsValid(std::string* error) const {
+  if (!parser.IsValid(error) || !back_off.IsValid(error)) return false;
+  if (max_pixels < 1024 || max_stream_failures < 1 || stream_retry_period_s < 1.0) {
+    *error = "max_pixels >= 1024, max_stream_failures >= 1, stream_retry_period_s >= 1";
+    return false;
+  }
+  return true;
+}
+
+const char* NameOf(ImageLink link) {
+  switch (link) {
+    case ImageLink::kConnecting:
+      return "connecting";
+    case ImageLink::kStream:
+      return "stream";
+    case ImageLink::kStills:
+      return "stills";
+    case ImageLink::kDown:
+      return "down";
+  }
+  return "unknown";
+}
+
+ImageReader::ImageReader(const ImageReaderOptions& options, HttpTransport* transport,
+                         ReaderGate* gate, Callbacks callbacks)
+    : options_(options),
+      transport_(transport),
+      gate_(gate),
+      callbacks_(std::move(callbacks)),
+      client_(transport),
+      back_off_(options.back_off) {}
+
+void ImageReader::Run() {
+  while (gate_->WaitUntilOpen()) {
+    num_images_before_ = counters_.num_images;
+    const bool is_stream = UsesStream();
+    const std::string reason = is_stream ? ReadStream() : ReadStills();
+    if (gate_->IsStopped()) return;
+    if (reason.empty()) continue;
+    NoteFailure(is_stream);
+    SetLink(ImageLink::kDown, reason);
+    const double delay_s = back_off_.NextDelaySeconds();
+    if (callbacks_.wait ? !callbacks_.wait(delay_s) : !gate_->WaitFor(delay_s)) return;
+  }
+}
+
+bool ImageReader::UsesStream() const {
+  if (options_.source != ImageSource::kAuto) return options_.source == ImageSource::kStream;
+  return callbacks_.now_ns() >= stills_until_ns_;
+}
+
+void ImageReader::NoteFailure(bool was_stream) {
+  ++counters_.num_failures;
+  has_failed_ = true;
+  if (counters_.num_images != num_images_before_) num_stream_failures_ = 0;
+  if (!was_stream || ++num_stream_failures_ < options_.max_stream_failures) return;
+  num_stream_failures_ = 0;
+  stills_until_ns_ = callbacks_.now_ns() + Nanoseconds(options_.stream_retry_period_s);
+}
+
+std::string ImageReader::ReadStream() {
+  std::optional<MjpegParser> parser;
+  const auto on_header = [&](int status, const std::string& content_type) {
+    const std::optional<std::string> boundary = BoundaryOf(content_type);
+    if (status != 200 || !boundary) return false;
+    parser.emplace(*boundary, options_.parser, [this](MjpegPart part) {
+      TakeImage({part.stamp_ns, callbacks_.now_ns(), 0, 0, std::move(part.body)},
+                ImageLink::kStream);
+    });
+    return true;
+  };
+  const auto on_bytes = [&](std::string_view bytes) {
+    return parser->Feed(bytes, callbacks_.now_ns());
+  };
+  const HttpResponse response = transport_->Stream(StreamTarget(), {on_header, on_bytes});
+  const MjpegFault fault = parser ? parser->Fault() : MjpegFault::kNone;
+  if (fault == MjpegFault::kPartTooLong) {
+    ++counters_.num_too_large;
+  } else if (fault != MjpegFault::kNone) {
+    ++counters_.num_malformed;
+  }
+  CountFault(response.fault);
+  return ReasonOf(response, parser ? &*parser : nullptr);
+}
+
+std::string ImageReader::ReadStills() {
+  while (MayGoOnWithStills()) {
+    if (!gate_->WaitUntilOpen()) return {};
+    RobotReply<StillImage> still = client_.GetStill(options_.parser.max_part_bytes);
+    if (!still.value) return "stills: " + still.outcome.message;
+    const uint64_t num_before = counters_.num_images;
+    const int64_t now_ns = callbacks_.now_ns();
+    TakeImage(
+        {now_ns - Nanoseconds(still.value->age_s), now_ns, 0, 0, std::move(still.value->jpeg)},
+        ImageLink::kStills);
+    if (counters_.num_images == num_before) return "stills: damaged image";
+  }
+  return {};
+}
+
+bool ImageReader::MayGoOnWithStills() const {
+  return options_.source == ImageSource::kStills || callbacks_.now_ns() < stills_until_ns_;
+}
+
+void ImageReader::TakeImage(CameraImage image, ImageLink link) {
+  const JpegInfo info = CheckJpeg(image.jpeg, options_.max_pixels);
+  if (info.fault != JpegFault::kNone) {
+    const bool is_truncated = info.fault == JpegFault::kNoEnd;
+    const bool is_too_large = info.fault == JpegFault::kTooManyPixels;
+    ++(is_truncated   ? counters_.num_truncated
+       : is_too_large ? counters_.num_too_large
+                      : counters_.num_corrupt);
+    return;
+  }
+  if (has_failed_) ++counters_.num_reconnects;
+  has_failed_ = false;
+  back_off_.Reset();
+  ++counters_.num_images;
+  SetLink(link, "images arrive");
+  image.stamp_ns = std::max(image.stamp_ns, last_stamp_ns_ + 1);  // stamps rise, whatever the clock
+  last_stamp_ns_ = image.stamp_ns;
+  image.width_px = info.width_px;
+  image.height_px = info.height_px;
+  callbacks_.on_image(std::move(image));
+}
+
+void ImageReader::CountFault(HttpFault fault) {
+  if (fault == HttpFault::kTooLarge) ++counters_.num_too_large;
+  if (fault == HttpFault::kMalformed) ++counters_.num_malformed;
+}
+
+void ImageReader::SetLink(ImageLink link, const std::string& reason) {
+  if (link == link_) return;
+  link_ = link;
+  callbacks_.on_link(link, reason);
+}
+
+}  // namespace rovio_sfm
