@@ -30,13 +30,19 @@ function(rovio_test NAME)
   add_test(NAME ${NAME}_test COMMAND ${NAME}_test)
 endfunction()
 
-# rovio_program(NAME LINKS target...): the program NAME from src/nodes/NAME_main.cc, installed.
+# rovio_program(NAME LINKS target...): the program NAME from src/nodes/NAME_main.cc, installed. Its
+# target is NAME_program where a library has taken the name (rovio_sim).
 function(rovio_program NAME)
   cmake_parse_arguments(ARG "" "" "LINKS" ${ARGN})
-  add_executable(${NAME} ${PROJECT_SOURCE_DIR}/src/nodes/${NAME}_main.cc)
-  rovio_compile_options(${NAME})
-  target_link_libraries(${NAME} PRIVATE ${ARG_LINKS})
-  install(TARGETS ${NAME} RUNTIME DESTINATION lib/${PROJECT_NAME})
+  set(PROGRAM ${NAME})
+  if(TARGET ${NAME})
+    set(PROGRAM ${NAME}_program)
+  endif()
+  add_executable(${PROGRAM} ${PROJECT_SOURCE_DIR}/src/nodes/${NAME}_main.cc)
+  set_target_properties(${PROGRAM} PROPERTIES OUTPUT_NAME ${NAME})
+  rovio_compile_options(${PROGRAM})
+  target_link_libraries(${PROGRAM} PRIVATE ${ARG_LINKS})
+  install(TARGETS ${PROGRAM} RUNTIME DESTINATION lib/${PROJECT_NAME})
 endfunction()
 
 function(rovio_compile_options TARGET)

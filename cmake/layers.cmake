@@ -25,7 +25,7 @@ rovio_library(matching LINKS rovio_scene ${OPENCV} PkgConfig::OPENBLAS TEST_LINK
 rovio_library(tracks   LINKS rovio_scene TEST_LINKS rovio_synthetic)
 rovio_library(sfm      LINKS rovio_scene ceres ${OPENCV} TEST_LINKS rovio_synthetic)
 rovio_library(io       LINKS rovio_scene ${OPENCV} PkgConfig::YAMLCPP TEST_LINKS rovio_synthetic)
-rovio_library(sim      LINKS rovio_geometry embree PkgConfig::HTTPLIB PkgConfig::YAMLCPP ${OPENCV})
+rovio_library(sim      LINKS rovio_geometry embree CLI11::CLI11 PkgConfig::YAMLCPP ${OPENCV})
 
 rovio_library(pipeline LINKS rovio_features rovio_matching rovio_tracks rovio_sfm rovio_io
                        TEST_LINKS rovio_synthetic)
