@@ -1,9 +1,9 @@
 #include "rovio_sfm/tools/evaluate_trajectory.h"
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "io/temporary_folder.h"
+#include "tools/command_line.h"
 
 namespace rovio_sfm {
 namespace {
@@ -12,25 +12,17 @@ constexpr char kTruth[] = "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n2 1 1 0 0 0 0 1\n3 
 constexpr char kHalfSize[] =
     "0 0 0 0 0 0 0 1\n1 0.5 0 0 0 0 0 1\n2 0.5 0.5 0 0 0 0 1\n3 0.5 0.5 0.5 0 0 0 1\n";
 
-int RunCommand(const std::vector<std::string>& arguments, std::string* printed) {
-  std::vector<const char*> argv = {"evaluate_trajectory"};
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  std::ostringstream out;
-  const int status = EvaluateTrajectoryCommand(static_cast<int>(argv.size()), argv.data(), out);
-  *printed = out.str();
-  return status;
-}
-
 TEST(EvaluateTrajectoryCommand, PrintsJsonWithTheScaleErrorOfAMetricMap) {
   const TemporaryFolder folder;
   const std::string truth = folder.Write("truth.txt", kTruth);
   const std::string estimate = folder.Write("estimate.txt", kHalfSize);
   std::string printed;
-  ASSERT_EQ(RunCommand({truth, estimate, "--json", "--metric"}, &printed), 0);
+  ASSERT_EQ(
+      RunCommand(EvaluateTrajectoryCommand, {truth, estimate, "--json", "--metric"}, &printed), 0);
   const auto json = nlohmann::json::parse(printed);
   EXPECT_NEAR(json["ate_rmse_m"].get<double>(), 0.0, 1e-9);
   EXPECT_NEAR(json["scale_error"].get<double>(), 1.0, 1e-9);
-  ASSERT_EQ(RunCommand({truth, estimate, "--json"}, &printed), 0);
+  ASSERT_EQ(RunCommand(EvaluateTrajectoryCommand, {truth, estimate, "--json"}, &printed), 0);
   EXPECT_TRUE(nlohmann::json::parse(printed)["scale_error"].is_null());
 }
 
@@ -38,7 +30,7 @@ TEST(EvaluateTrajectoryCommand, PrintsATable) {
   const TemporaryFolder folder;
   const std::string truth = folder.Write("truth.txt", kTruth);
   std::string printed;
-  ASSERT_EQ(RunCommand({truth, truth}, &printed), 0);
+  ASSERT_EQ(RunCommand(EvaluateTrajectoryCommand, {truth, truth}, &printed), 0);
   EXPECT_NE(printed.find("compared                4\n"), std::string::npos) << printed;
 }
 
@@ -47,11 +39,12 @@ TEST(EvaluateTrajectoryCommand, RefusesWhatItCannotCompare) {
   const std::string truth = folder.Write("truth.txt", kTruth);
   const std::string two = folder.Write("two.txt", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n");
   std::string printed;
-  EXPECT_NE(RunCommand({}, &printed), 0);
-  EXPECT_NE(RunCommand({truth, truth, "--max-gap", "0"}, &printed), 0);
-  EXPECT_THROW(RunCommand({truth}, &printed), std::runtime_error);
-  EXPECT_THROW(RunCommand({truth, two}, &printed), std::runtime_error);
-  EXPECT_THROW(RunCommand({truth, "absent.txt"}, &printed), std::runtime_error);
+  EXPECT_NE(RunCommand(EvaluateTrajectoryCommand, {}, &printed), 0);
+  EXPECT_NE(RunCommand(EvaluateTrajectoryCommand, {truth, truth, "--max-gap", "0"}, &printed), 0);
+  EXPECT_THROW(RunCommand(EvaluateTrajectoryCommand, {truth}, &printed), std::runtime_error);
+  EXPECT_THROW(RunCommand(EvaluateTrajectoryCommand, {truth, two}, &printed), std::runtime_error);
+  EXPECT_THROW(RunCommand(EvaluateTrajectoryCommand, {truth, "absent.txt"}, &printed),
+               std::runtime_error);
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/geometry/camera.h"
+
+namespace rovio_sfm {
+
+struct CalibrateCameraOptions {
+  int columns = 9, rows = 6;  // inner corners of the chessboard, 3 to 50
+  int min_boards = 5;         // fewer found boards are refused, 3 to 1000: 9 unknowns, 2 a board
+
+  bool IsValid(std::string* error) const;
+};
+
+struct CalibrationReport {
+  Camera camera;
+  double rms_px = 0.0;                               // reprojection error of the corners
+  std::vector<std::filesystem::path> without_board;  // images in which no board was found
+};
+
+// Calibrates from images of a chessboard by Zhang's method (§3.2), plumb-bob distortion. Throws
+// std::runtime_error for unreadable images, mixed sizes or too few boards.
+CalibrationReport CalibrateCamera(const std::vector<std::filesystem::path>& images,
+                                  const CalibrateCameraOptions& options);
+
+// The command calibrate_camera: images in, camera_info YAML out. Returns the exit status.
+int CalibrateCameraCommand(int argc, const char* const* argv, std::ostream& out);
+
+}  // namespace rovio_sfm

@@ -1,0 +1,89 @@
+#include "rovio_sfm/tools/measure_noise.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <ostream>
+#include <stdexcept>
+
+#include "rovio_sfm/features/decode_image.h"
+#include "rovio_sfm/io/text_file.h"
+#include "rovio_sfm/tools/list_images.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr uintmax_t kMaxImageBytes = 64u << 20;
+constexpr int64_t kMaxPixels = 32'000'000;
+constexpr int kClippedMargin = 3;  // grey levels
+
+// Sums over pictures, pixel by pixel and channel by channel.
+struct PixelSums {
+  cv::Mat sum, squared_sum;  // CV_64FC3
+  double num_clipped = 0.0, num_values = 0.0;
+};
+
+cv::Mat ReadPicture(const std::filesystem::path& path) {
+  const DecodeResult decoded = DecodeImage(ReadBytes(path, kMaxImageBytes), kMaxPixels);
+  if (decoded.bgr.empty()) throw std::runtime_error(path.string() + ": " + decoded.reason);
+  return decoded.bgr;
+}
+
+void Add(const cv::Mat& bgr, PixelSums* sums) {
+  cv::Mat low, high, value;
+  cv::inRange(bgr.reshape(1), 0, kClippedMargin, low);
+  cv::inRange(bgr.reshape(1), 255 - kClippedMargin, 255, high);
+  sums->num_clipped += cv::countNonZero(low) + cv::countNonZero(high);
+  sums->num_values += static_cast<double>(bgr.total()) * 3.0;
+  bgr.convertTo(value, CV_64FC3);
+  cv::subtract(value, cv::mean(value), value);
+  if (sums->sum.empty()) {
+    sums->sum = cv::Mat::zeros(bgr.size(), CV_64FC3);
+    sums->squared_sum = cv::Mat::zeros(bgr.size(), CV_64FC3);
+  }
+  sums->sum += value;
+  sums->squared_sum += value.mul(value);
+}
+
+}  // namespace
+
+NoiseReport MeasureNoise(const std::vector<std::filesystem::path>& images) {
+  if (images.size() < 2) throw std::runtime_error("measure_noise needs two pictures or more");
+  PixelSums sums;
+  for (const std::filesystem::path& path : images) {
+    const cv::Mat picture = ReadPicture(path);
+    if (!sums.sum.empty() && picture.size() != sums.sum.size()) {
+      throw std::runtime_error(path.string() + ": other size than the first picture");
+    }
+    Add(picture, &sums);
+  }
+  const double count = static_cast<double>(images.size());
+  const cv::Mat scatter = sums.squared_sum - sums.sum.mul(sums.sum) / count;
+  const cv::Scalar variance = cv::mean(scatter / (count - 1.0));
+  NoiseReport report;
+  report.num_pictures = images.size();
+  for (int channel = 0; channel < 3; ++channel) {
+    report.sigma_bgr[static_cast<size_t>(channel)] = std::sqrt(variance[channel]);
+  }
+  report.sigma = std::sqrt((variance[0] + variance[1] + variance[2]) / 3.0);
+  report.clipped_share = sums.num_clipped / sums.num_values;
+  return report;
+}
+
+int MeasureNoiseCommand(int argc, const char* const* argv, std::ostream& out) {
+  CLI::App app("Measures a camera's noise from pictures of one flat, single-coloured surface");
+  std::vector<std::string> arguments;
+  app.add_option("images", arguments, "images, or folders of images")->required();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, out, out);
+  }
+  const NoiseReport report = MeasureNoise(ListImages(arguments));
+  out << "pictures " << report.num_pictures << "\nsigma " << report.sigma << " (blue "
+      << report.sigma_bgr[0] << ", green " << report.sigma_bgr[1] << ", red " << report.sigma_bgr[2]
+      << ") grey levels\nclipped " << 100.0 * report.clipped_share << " % of the values\n";
+  return 0;
+}
+
+}  // namespace rovio_sfm

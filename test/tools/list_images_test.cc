@@ -1,0 +1,26 @@
+#include "rovio_sfm/tools/list_images.h"
+
+#include "io/temporary_folder.h"
+
+namespace rovio_sfm {
+namespace {
+
+TEST(ListImages, ReplacesFoldersByTheirImagesInOrder) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a/2.png", "a/1.jpg", "a/notes.txt", "z.jpeg"}) folder.Write(name, "");
+  const auto images = ListImages({folder.Path() / "z.jpeg", folder.Path() / "a"});
+  ASSERT_EQ(images.size(), 3u);
+  EXPECT_EQ(images[0].filename(), "z.jpeg");
+  EXPECT_EQ(images[1].filename(), "1.jpg");
+  EXPECT_EQ(images[2].filename(), "2.png");
+}
+
+TEST(ListImages, RefusesWhatHoldsNone) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(ListImages({folder.Path()}), std::runtime_error);
+  EXPECT_THROW(ListImages({folder.Path() / "absent.jpg"}), std::runtime_error);
+  EXPECT_THROW(ListImages({}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace rovio_sfm
