@@ -28,4 +28,9 @@ std::optional<BootstrapPair> FindBootstrapPair(const std::deque<FrameEvent>& hel
                                                const Session& aliases,
                                                const BootstrapOptions& options, uint64_t seed);
 
+// The same over all pairs, for a drive that ends before its session has started.
+std::optional<BootstrapPair> FindBestBootstrapPair(const std::deque<FrameEvent>& held,
+                                                   const Session& aliases,
+                                                   const BootstrapOptions& options, uint64_t seed);
+
 }  // namespace rovio_sfm

@@ -18,29 +18,27 @@ namespace rovio_sfm {
 // are immutable and may go anywhere.
 class Mapper {
  public:
-  // The store must outlive the mapper. Options must be valid.
-  Mapper(const MapperOptions& options, FrameStore* store, StageTimes* times = nullptr);
+  // The store, the times (may be null) and the executor of global adjustments must outlive the
+  // mapper. Options must be valid.
+  Mapper(const MapperOptions& options, FrameStore* store, Executor* executor,
+         StageTimes* times = nullptr);
 
   // Takes the next event of its drive. An event that does not fit (index not increasing, camera of
   // the drive changed) is refused, with the reason; the maps stay as they were.
   MapperReport Add(const FrameEvent& event);
 
-  // Ends a drive: its current session gets its final adjustment and is closed. False if unknown.
-  bool FinishDrive(const DriveId& drive);
-  // Ends every drive that is still open.
+  // Closes the drive's current session with its final adjustment; should the drive go on, its next
+  // frame opens another. False if the drive is unknown.
+  bool FinishSession(const DriveId& drive);
+  // The same for every drive.
   void Finish();
-
-  // Closes the drive's current session now and opens the next with its next frame.
-  bool StartSession(const DriveId& drive);
 
   std::shared_ptr<const MapSnapshot> Snapshot() const;
   MapperCounters counters() const;
 
  private:
-  MapperOptions options_;
-  FrameStore* store_;
-  StageTimes* times_;
-  uint32_t next_session_ = 1;
+  MapperContext context_;
+  uint32_t num_sessions_ = 0;
   std::map<DriveId, std::unique_ptr<DriveMapper>> drives_;
   mutable uint64_t version_ = 0;
 };

@@ -47,7 +47,7 @@ struct PruneOptions {
 struct ScaleOptions {
   double min_distance_m = 0.3;      // length of a window, 0.05 to 10
   double max_rotation_gap_deg = 2.0;  // odometry and vision must agree that well, 0.1 to 45
-  double odometry_gain_sigma = 0.05;  // relative; averaging never goes below it, 0 to 1
+  double odometry_gain_sigma = 0.05;  // relative; averaging never goes below it, 0.001 to 1
   double sideways_sigma = 0.2;      // relative uncertainty of sideways motion, 0 to 1
   bool IsValid(std::string* error) const;
 };

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "rovio_sfm/pipeline/adjust_session.h"
+#include "rovio_sfm/pipeline/bootstrap.h"
+#include "rovio_sfm/pipeline/events.h"
+#include "rovio_sfm/pipeline/mapper_options.h"
+#include "rovio_sfm/pipeline/mapper_report.h"
+#include "rovio_sfm/pipeline/register_frame.h"
+#include "rovio_sfm/scene/frame_store.h"
+#include "rovio_sfm/scene/session.h"
+#include "rovio_sfm/util/executor.h"
+#include "rovio_sfm/util/stage_times.h"
+
+namespace rovio_sfm {
+
+// What the mappers of all drives share; everything outlives them.
+struct MapperContext {
+  MapperOptions options;
+  FrameStore* store = nullptr;
+  Executor* executor = nullptr;  // of the global adjustment
+  StageTimes* times = nullptr;   // may be null
+  std::function<SessionId()> new_session_id;
+};
+
+// Maps one drive: its sessions, one after the other. Thread-compatible.
+class DriveMapper {
+ public:
+  DriveMapper(const MapperContext& context, DriveId drive, Camera camera);
+
+  MapperReport Add(const FrameEvent& event);
+  // Closes the current session with its final adjustment; the next frame opens another.
+  void Finish();
+
+  const std::vector<std::unique_ptr<Session>>& sessions() const { return sessions_; }
+  const MapperCounters& counters() const { return counters_; }
+  const Camera& camera() const { return camera_; }
+
+ private:
+  Session& current() { return *sessions_.back(); }
+  double SearchThreshold() const;  // sigmas
+
+  std::optional<std::string> Refuse(const FrameEvent& event);
+  void Hold(const FrameEvent& event, MapperReport* report);
+  bool Start(const BootstrapPair& pair);
+  void InsertHeld(const FrameEvent& event);
+  void AddKeyframe(const FrameEvent& event, MapperReport* report);
+  std::optional<Registration> Resect(const FrameEvent& event, MapperReport* report);
+  void GrowMap(uint32_t frame, MapperReport* report);
+  void AddWeak(const FrameEvent& event, MapperReport* report);
+  void RetryWeakFrames();
+  void LoseSession(MapperReport* report);
+  void AddLight(const FrameEvent& event, MapperReport* report);
+  void PoseWaitingLightFrames();
+  void OpenSession();
+  void CloseSession(SessionState state);
+
+  MapperContext context_;
+  DriveId drive_;
+  Camera camera_;
+  std::vector<std::unique_ptr<Session>> sessions_;  // the last one is current
+  GlobalAdjustment global_;
+  std::deque<FrameEvent> held_;           // keyframes before the session starts
+  int num_waited_ = 0;                    // keyframes since the first pair that would do
+  std::deque<FrameEvent> weak_;           // the newest keyframes, if they are weak
+  std::vector<TrackLink> pending_links_;
+  std::map<uint32_t, LightFrame> unposed_;  // light frames of the current session without a pose
+  std::optional<Rigid3> last_pose_;         // cam_from_session of the last posed frame
+  std::optional<uint32_t> next_index_;
+  MapperCounters counters_;
+};
+
+}  // namespace rovio_sfm

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "rovio_sfm/scene/ids.h"
+
+namespace rovio_sfm {
+
+// What became of one frame event.
+enum class MapperOutcome : uint8_t {
+  kHeld = 0,      // waits for a session to start
+  kKeyframe = 1,  // in the map
+  kWeak = 2,      // posed by its neighbour alone, tried again later
+  kLight = 3,     // a light frame with a pose
+  kUnposed = 4,   // a light frame without one; tried again at the session's end
+  kRefused = 5,   // did not fit its drive; see the reason
+};
+
+struct MapperReport {
+  MapperOutcome outcome = MapperOutcome::kHeld;
+  std::string reason;          // of a refusal
+  SessionId session;
+  uint32_t num_matches = 0;    // features whose track has a landmark
+  uint32_t num_inliers = 0;    // of them, in the resection
+  uint32_t num_created = 0;    // landmarks
+  uint32_t num_found = 0;      // observations added by searching
+  uint32_t num_united = 0;     // landmarks
+  uint32_t num_pruned = 0;     // observations
+};
+
+struct MapperCounters {
+  uint64_t keyframes = 0;
+  uint64_t light_frames = 0;
+  uint64_t weak_frames = 0;
+  uint64_t missing_events = 0;       // gaps in a drive's index
+  uint64_t refused_events = 0;
+  uint64_t lost_sessions = 0;
+  uint64_t global_adjustments = 0;
+};
+
+}  // namespace rovio_sfm

@@ -1,0 +1,245 @@
+#include "rovio_sfm/pipeline/drive_mapper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "rovio_sfm/pipeline/link_tracks.h"
+#include "rovio_sfm/pipeline/make_keyframe.h"
+#include "rovio_sfm/pipeline/register_frame.h"
+#include "rovio_sfm/pipeline/search_landmarks.h"
+#include "rovio_sfm/pipeline/start_session.h"
+#include "rovio_sfm/pipeline/update_scale.h"
+#include "rovio_sfm/pipeline/weak_pose.h"
+#include "rovio_sfm/sfm/triangulate_tracks.h"
+
+namespace rovio_sfm {
+namespace {
+
+double Radians(double degrees) { return degrees * M_PI / 180.0; }
+
+}  // namespace
+
+DriveMapper::DriveMapper(const MapperContext& context, DriveId drive, Camera camera)
+    : context_(context),
+      drive_(std::move(drive)),
+      camera_(camera),
+      global_(context.options.adjust, context.executor) {
+  OpenSession();
+}
+
+MapperReport DriveMapper::Add(const FrameEvent& event) {
+  MapperReport report;
+  if (current().state() == SessionState::kFinished) OpenSession();
+  if (const auto reason = Refuse(event)) {
+    ++counters_.refused_events;
+    report.outcome = MapperOutcome::kRefused;
+    report.reason = *reason;
+  } else if (event.kind == FrameKind::kLight) {
+    AddLight(event, &report);
+  } else {
+    context_.store->Put(event.id, event.features);
+    pending_links_.insert(pending_links_.end(), event.links.begin(), event.links.end());
+    if (current().state() == SessionState::kBootstrapping) {
+      Hold(event, &report);
+    } else {
+      AddKeyframe(event, &report);
+    }
+  }
+  report.session = current().id();
+  return report;
+}
+
+std::optional<std::string> DriveMapper::Refuse(const FrameEvent& event) {
+  if (!(event.camera == camera_)) return "camera: expected that of the drive's first frame";
+  if (next_index_ && event.id.index < *next_index_) {
+    return "index " + std::to_string(event.id.index) + ": expected " +
+           std::to_string(*next_index_) + " or more";
+  }
+  counters_.missing_events += next_index_ ? event.id.index - *next_index_ : 0;
+  next_index_ = event.id.index + 1;
+  return std::nullopt;
+}
+
+void DriveMapper::Hold(const FrameEvent& event, MapperReport* report) {
+  const auto scope = MeasureStage(context_.times, "bootstrap");
+  LinkTracks(SearchThreshold(), &pending_links_, &current());
+  held_.push_back(event);
+  if (held_.size() > static_cast<size_t>(context_.options.bootstrap.max_held_frames)) {
+    held_.pop_front();
+  }
+  const auto pair =
+      FindBootstrapPair(held_, current(), context_.options.bootstrap, context_.options.seed);
+  if (!pair) return;
+  const double wished = Radians(context_.options.bootstrap.wished_angle_deg);
+  const bool waits = pair->median_angle_rad < wished &&
+                     ++num_waited_ < context_.options.bootstrap.patience;
+  if (!waits && Start(*pair)) report->outcome = MapperOutcome::kKeyframe;
+}
+
+bool DriveMapper::Start(const BootstrapPair& pair) {
+  if (!StartSession(pair, held_, context_.options, &current())) return false;
+  current().set_state(SessionState::kMapping);
+  const std::deque<FrameEvent> held = std::exchange(held_, {});
+  num_waited_ = 0;
+  for (size_t i = pair.first + 1; i < held.size(); ++i) InsertHeld(held[i]);
+  for (size_t i = pair.first; i-- > 0;) InsertHeld(held[i]);
+  AdjustFinally(context_.options, &current());
+  last_pose_ = current().keyframes().rbegin()->second.cam_from_session;
+  PoseWaitingLightFrames();
+  return true;
+}
+
+void DriveMapper::InsertHeld(const FrameEvent& event) {
+  if (current().keyframes().count(event.id.index) != 0) return;
+  const auto registration = RegisterKeyframe(event, context_.options, current());
+  if (!registration) return;
+  current().AddKeyframe(event.id.index,
+                        MakeKeyframe(event, registration->cam_from_session, context_.options));
+  MapperReport unused;
+  GrowMap(event.id.index, &unused);
+}
+
+void DriveMapper::AddKeyframe(const FrameEvent& event, MapperReport* report) {
+  if (global_.Advance(&current())) ++counters_.global_adjustments;
+  LinkTracks(SearchThreshold(), &pending_links_, &current());
+  const auto registration = Resect(event, report);
+  if (!registration) return AddWeak(event, report);
+  report->outcome = MapperOutcome::kKeyframe;
+  current().AddKeyframe(event.id.index,
+                        MakeKeyframe(event, registration->cam_from_session, context_.options));
+  GrowMap(event.id.index, report);
+  RetryWeakFrames();
+  last_pose_ = current().keyframe(event.id.index).cam_from_session;
+  UpdateScale(context_.options.scale, false, &current());
+  global_.MaybeStart(current());
+}
+
+std::optional<Registration> DriveMapper::Resect(const FrameEvent& event, MapperReport* report) {
+  const auto scope = MeasureStage(context_.times, "resect");
+  const auto registration = RegisterKeyframe(event, context_.options, current());
+  if (!registration) return std::nullopt;
+  report->num_matches = registration->num_matches;
+  report->num_inliers = registration->num_inliers;
+  ++counters_.keyframes;
+  return registration;
+}
+
+void DriveMapper::GrowMap(uint32_t frame, MapperReport* report) {
+  const MapperOptions& options = context_.options;
+  const TriangulateTracksOptions triangulate{Radians(options.triangulate.min_parallax_deg),
+                                             options.triangulate.max_error_px / options.pixel_sigma_px};
+  {
+    const auto scope = MeasureStage(context_.times, "search");
+    CompleteLandmarks(frame, triangulate.max_error_sigmas, &current());
+    SearchLandmarksOptions search;
+    search.max_error_sigmas = SearchThreshold();
+    const SearchReport found = SearchLandmarks(frame, search, *context_.store, &current());
+    report->num_found = found.num_added;
+    report->num_united = found.num_united;
+  }
+  {
+    const auto scope = MeasureStage(context_.times, "triangulate");
+    report->num_created = TriangulateTracks(frame, triangulate, &current()).num_created;
+  }
+  const auto scope = MeasureStage(context_.times, "adjust_locally");
+  report->num_pruned = AdjustLocally(frame, options, &current()).num_observations;
+}
+
+void DriveMapper::AddWeak(const FrameEvent& event, MapperReport* report) {
+  ++counters_.weak_frames;
+  weak_.push_back(event);
+  const auto pose = PredictWeakPose(event, current());
+  const auto max_weak = static_cast<size_t>(context_.options.max_weak_frames);
+  if (weak_.size() > max_weak || !pose) return LoseSession(report);
+  Keyframe frame = MakeKeyframe(event, *pose, context_.options);
+  frame.weak = true;
+  current().AddKeyframe(event.id.index, std::move(frame));
+  report->outcome = MapperOutcome::kWeak;
+}
+
+void DriveMapper::RetryWeakFrames() {
+  while (!weak_.empty()) {
+    const uint32_t index = weak_.front().id.index;
+    weak_.pop_front();
+    const auto registration = RegisterAgain(index, context_.options, current());
+    if (!registration) {
+      current().RemoveKeyframe(index);
+      continue;
+    }
+    current().SetPose(index, registration->cam_from_session);
+    current().SetWeak(index, false);
+    MapperReport unused;
+    GrowMap(index, &unused);
+  }
+}
+
+void DriveMapper::LoseSession(MapperReport* report) {
+  ++counters_.lost_sessions;
+  for (const FrameEvent& event : weak_) {
+    if (current().keyframes().count(event.id.index) != 0) current().RemoveKeyframe(event.id.index);
+  }
+  const std::deque<FrameEvent> weak = std::exchange(weak_, {});
+  CloseSession(SessionState::kLost);
+  OpenSession();
+  for (const FrameEvent& event : weak) Hold(event, report);
+}
+
+void DriveMapper::AddLight(const FrameEvent& event, MapperReport* report) {
+  const auto scope = MeasureStage(context_.times, "light");
+  ++counters_.light_frames;
+  LightFrame frame = MakeLightFrame(event);
+  const bool posed = current().state() == SessionState::kMapping &&
+                     PoseLightFrame(event.id.index, last_pose_, context_.options, &frame, current());
+  report->outcome = posed ? MapperOutcome::kLight : MapperOutcome::kUnposed;
+  if (!posed) {
+    unposed_.emplace(event.id.index, std::move(frame));
+    return;
+  }
+  last_pose_ = frame.cam_from_reference * current().keyframe(frame.reference).cam_from_session;
+  current().AddLightFrame(event.id.index, std::move(frame));
+}
+
+void DriveMapper::PoseWaitingLightFrames() {
+  for (auto it = unposed_.begin(); it != unposed_.end();) {
+    const bool posed = PoseLightFrame(it->first, {}, context_.options, &it->second, current());
+    if (posed) current().AddLightFrame(it->first, std::move(it->second));
+    it = posed ? unposed_.erase(it) : std::next(it);
+  }
+}
+
+void DriveMapper::OpenSession() {
+  sessions_.push_back(std::make_unique<Session>(context_.new_session_id(), drive_, camera_));
+  global_ = GlobalAdjustment(context_.options.adjust, context_.executor);
+}
+
+void DriveMapper::CloseSession(SessionState state) {
+  const auto scope = MeasureStage(context_.times, "adjust_finally");
+  global_.Abandon();
+  if (current().state() == SessionState::kMapping) {
+    AdjustFinally(context_.options, &current());
+    RefineLightFrames(context_.options, &current());
+    PoseWaitingLightFrames();
+    UpdateScale(context_.options.scale, true, &current());
+  }
+  current().set_state(state);
+  unposed_.clear();
+  last_pose_.reset();
+}
+
+void DriveMapper::Finish() {
+  if (current().state() == SessionState::kBootstrapping && !held_.empty()) {
+    const auto pair =
+        FindBestBootstrapPair(held_, current(), context_.options.bootstrap, context_.options.seed);
+    if (pair) Start(*pair);
+  }
+  if (current().state() == SessionState::kMapping) RetryWeakFrames();
+  CloseSession(SessionState::kFinished);
+  held_.clear();
+}
+
+double DriveMapper::SearchThreshold() const {
+  return context_.options.prune.max_error_px / context_.options.pixel_sigma_px;
+}
+
+}  // namespace rovio_sfm

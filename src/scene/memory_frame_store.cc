@@ -1,0 +1,16 @@
+#include "rovio_sfm/scene/memory_frame_store.h"
+
+#include <utility>
+
+namespace rovio_sfm {
+
+void MemoryFrameStore::Put(const FrameId& id, std::shared_ptr<const FrameFeatures> features) {
+  frames_[id] = std::move(features);
+}
+
+std::shared_ptr<const FrameFeatures> MemoryFrameStore::Get(const FrameId& id) const {
+  const auto it = frames_.find(id);
+  return it == frames_.end() ? nullptr : it->second;
+}
+
+}  // namespace rovio_sfm
