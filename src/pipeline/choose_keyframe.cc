@@ -13,14 +13,6 @@ namespace {
 constexpr double kCornerQuality = 0.005, kCornerDistancePx = 10.0;
 constexpr size_t kMinCorners = 8;  // fewer tell nothing: the overlap counts as lost
 
-FlowOptions SmallFlowOptions() {
-  FlowOptions options;
-  options.window_px = 15;
-  options.levels = 3;
-  options.max_backward_error_px = 0.5;
-  return options;
-}
-
 double Median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -90,6 +82,12 @@ ImageChoice ChooseImage(const ImageMotion& motion, double sharpness_share, int n
   return is_wanted && !is_put_off ? ImageChoice::kKeyframe : ImageChoice::kLight;
 }
 
+FlowOptions MotionTracker::PyramidOptions() {
+  FlowOptions options;
+  options.window_px = 15;
+  return options;
+}
+
 void MotionTracker::StartFrom(const FlowPyramid& small_image) {
   last_ = small_image;
   reference_.clear();
@@ -102,7 +100,7 @@ void MotionTracker::StartFrom(const FlowPyramid& small_image) {
 }
 
 ImageMotion MotionTracker::Follow(const FlowPyramid& small_image, const Camera& camera) {
-  const auto tracked = TrackPoints(last_, small_image, current_, {}, SmallFlowOptions());
+  const auto tracked = TrackPoints(last_, small_image, current_, {}, PyramidOptions());
   std::vector<cv::Point2f> reference, current;
   for (size_t i = 0; i < tracked.size(); ++i) {
     if (!tracked[i]) continue;

@@ -20,15 +20,16 @@ enum class KeyframeMode : uint8_t {
 // Which images become keyframes (§6.2 lists the choice as missing).
 struct ChooseOptions {
   KeyframeMode mode = KeyframeMode::kEvery;
-  int num_corners = 200;           // followed at half size; 20 to 2000
-  double min_flow_rad = 0.02;      // median flow without its rotation; 0.001 to 1
-  double min_rotation_rad = 0.1;   // since the keyframe; 0.01 to 1
-  double min_tracked_share = 0.7;  // fewer of the keyframe's corners left: overlap is being lost; 0 to 1
+  int num_corners = 200;          // followed at half size; 20 to 2000
+  double min_flow_rad = 0.02;     // median flow without its rotation; 0.001 to 1
+  double min_rotation_rad = 0.1;  // since the keyframe; 0.01 to 1
+  double min_tracked_share =
+      0.7;  // fewer of the keyframe's corners left: overlap is being lost; 0 to 1
   // Sharpness below this share of the drive's running median delays a keyframe; 0 to 1.
   double blurred_share = 0.7;
-  double spoilt_share = 0.2;       // below it the image is dropped; 0 to blurred_share
-  int max_delay = 8;               // images a blurred keyframe may be put off; 0 to 100
-  int sharpness_window = 31;       // images of the running median; 1 to 1000
+  double spoilt_share = 0.2;  // below it the image is dropped; 0 to blurred_share
+  int max_delay = 8;          // images a blurred keyframe may be put off; 0 to 100
+  int sharpness_window = 31;  // images of the running median; 1 to 1000
 
   bool IsValid(std::string* error) const;
 };
@@ -51,6 +52,9 @@ ImageChoice ChooseImage(const ImageMotion& motion, double sharpness_share, int n
 class MotionTracker {
  public:
   explicit MotionTracker(const ChooseOptions& options) : options_(options) {}
+
+  // How the half-size pyramids are to be built.
+  static FlowOptions PyramidOptions();
 
   // Begins anew at this keyframe. small_image is at half size.
   void StartFrom(const FlowPyramid& small_image);

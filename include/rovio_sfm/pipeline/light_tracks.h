@@ -44,9 +44,9 @@ class LightTracks {
   FlowPyramid keyframe_;
   std::shared_ptr<const FrameFeatures> features_;
   std::vector<TrackId> tracks_;
-  std::vector<size_t> chosen_;             // indices into features_
-  std::vector<cv::Point2f> in_keyframe_;   // of the chosen
-  std::vector<cv::Point2f> guess_;         // of the chosen, in the next image
+  std::vector<size_t> chosen_;            // indices into features_
+  std::vector<cv::Point2f> in_keyframe_;  // of the chosen
+  std::vector<cv::Point2f> guess_;        // of the chosen, in the next image
 };
 
 }  // namespace rovio_sfm

@@ -1,0 +1,21 @@
+#include "rovio_sfm/pipeline/frontend_options.h"
+
+#include "rovio_sfm/util/option_checker.h"
+
+namespace rovio_sfm {
+
+bool FrontendOptions::IsValid(std::string* error) const {
+  OptionChecker checker("frontend", error);
+  checker.Range("max_pixels", max_pixels, 10'000, 1'000'000'000);
+  checker.Range("min_features", min_features, 0, 10'000);
+  checker.Nested(choose);
+  checker.Nested(denoise);
+  checker.Nested(extract);
+  checker.Nested(pair);
+  checker.Nested(recursion);
+  checker.Nested(track);
+  checker.Nested(light);
+  return checker.Passed();
+}
+
+}  // namespace rovio_sfm
