@@ -1,0 +1,102 @@
+#include "rovio_sfm/sim/draw_texture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "rovio_sfm/sim/draw_marks.h"
+#include "rovio_sfm/sim/noise_field.h"
+#include "rovio_sfm/util/check.h"
+#include "rovio_sfm/util/option_checker.h"
+#include "rovio_sfm/util/rng.h"
+
+namespace rovio_sfm::sim {
+namespace {
+
+// Between the two colours by the field; the mean of the field falls half-way.
+cv::Mat MixColors(const TextureSpec& spec, const cv::Mat& field) {
+  cv::Mat image(field.size(), CV_8UC3);
+  for (int row = 0; row < field.rows; ++row) {
+    for (int col = 0; col < field.cols; ++col) {
+      const double share = 0.5 * spec.contrast * field.at<float>(row, col);
+      cv::Vec3b& pixel = image.at<cv::Vec3b>(row, col);
+      for (int c = 0; c < 3; ++c) {
+        const double mean = 0.5 * (spec.color[c] + spec.accent[c]);
+        pixel[c] = cv::saturate_cast<uint8_t>(mean + share * (spec.color[c] - spec.accent[c]));
+      }
+    }
+  }
+  return image;
+}
+
+// Covers the given share with patches of the accent, bounded by level lines of a 1/f field.
+void PaintPatches(const TextureSpec& spec, Rng& rng, cv::Mat* image) {
+  NoiseFieldOptions options;
+  options.coarsest_px = 120.0;
+  options.finest_px = 4.0;
+  options.octave_gain = 0.75;
+  const cv::Mat field = MakeNoiseField(image->size(), options, rng);
+  cv::Mat sorted = field.reshape(1, 1).clone();
+  float* begin = sorted.ptr<float>();
+  float* cut = begin + static_cast<int64_t>((1.0 - spec.patches) * (sorted.cols - 1));
+  std::nth_element(begin, cut, begin + sorted.cols);
+  cv::Mat mask;
+  cv::GaussianBlur(field > *cut, mask, cv::Size(3, 3), 0.7);
+  for (int row = 0; row < image->rows; ++row) {
+    for (int col = 0; col < image->cols; ++col) {
+      const double share = mask.at<uint8_t>(row, col) / 255.0 * 0.8;
+      cv::Vec3b& pixel = image->at<cv::Vec3b>(row, col);
+      for (int c = 0; c < 3; ++c) {
+        pixel[c] = cv::saturate_cast<uint8_t>((1 - share) * pixel[c] + share * spec.accent[c]);
+      }
+    }
+  }
+}
+
+// Faint wear over everything, so that no drawn mark is of one flat colour.
+void Weather(Rng& rng, cv::Mat* image) {
+  constexpr double kStrength = 0.03;
+  const cv::Mat field = MakeNoiseField(image->size(), {}, rng);
+  for (int row = 0; row < image->rows; ++row) {
+    for (int col = 0; col < image->cols; ++col) {
+      const double gain = 1.0 + kStrength * field.at<float>(row, col);
+      cv::Vec3b& pixel = image->at<cv::Vec3b>(row, col);
+      for (int c = 0; c < 3; ++c) pixel[c] = cv::saturate_cast<uint8_t>(gain * pixel[c]);
+    }
+  }
+}
+
+}  // namespace
+
+bool TextureSpec::IsValid(std::string* error) const {
+  OptionChecker check("texture " + name, error);
+  check.Range("width_px", width_px, 8, 4096);
+  check.Range("height_px", height_px, 8, 4096);
+  check.Range("texel_m", texel_m, 1e-5, 0.1);
+  check.Range("contrast", contrast, 0.0, 2.0);
+  check.Range("stretch", stretch, 0.02, 50.0);
+  check.Range("patches", patches, 0.0, 0.9);
+  check.Range("density", density, 0.0, 4.0);
+  check.Range("period_px", period_px, 4.0, 1024.0);
+  for (const std::string& mark : marks) {
+    const auto& known = KnownMarks();
+    const bool is_known = std::find(known.begin(), known.end(), mark) != known.end();
+    check.True(("marks: " + mark).c_str(), is_known, "one of KnownMarks()");
+  }
+  return check.Passed();
+}
+
+cv::Mat DrawTexture(const TextureSpec& spec) {
+  Rng rng(spec.seed);
+  NoiseFieldOptions ground;
+  ground.stretch = spec.stretch;
+  ground.octave_gain = 0.95;
+  cv::Mat image =
+      MixColors(spec, MakeNoiseField(cv::Size(spec.width_px, spec.height_px), ground, rng));
+  if (spec.patches > 0.0) PaintPatches(spec, rng, &image);
+  for (const std::string& mark : spec.marks) DrawMarks(mark, spec, rng, &image);
+  if (!spec.marks.empty()) Weather(rng, &image);
+  return image;
+}
+
+}  // namespace rovio_sfm::sim
