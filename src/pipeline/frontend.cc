@@ -125,9 +125,11 @@ std::optional<FrameEvent> Frontend::AddLightFrame(const PreparedImage& image) {
 
 void Frontend::LinkTracks(FrameEvent* event) {
   const StageTimes::Scope scope = MeasureStage(times_, "link");
-  auto update = drive_->tracks.Add(event->id.index, *event->features, event->pairs);
+  std::vector<Eigen::Vector2f> keypoints_px;
+  for (const Keypoint& k : event->features->keypoints) keypoints_px.emplace_back(k.x_px, k.y_px);
+  TrackUpdate update = drive_->tracks.Add(event->id.index, keypoints_px, event->pairs);
   event->tracks = std::move(update.tracks);
-  event->links = std::move(update.links);
+  for (const auto& [a, b] : update.links) event->links.push_back({a, b});
   counters_.links += event->links.size();
 }
 

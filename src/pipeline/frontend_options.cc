@@ -15,6 +15,8 @@ bool FrontendOptions::IsValid(std::string* error) const {
   checker.Nested(recursion);
   checker.Nested(track);
   checker.Nested(light);
+  checker.True("track.remembered_frames", track.remembered_frames >= recursion.max_frames,
+               "at least recursion.max_frames");
   return checker.Passed();
 }
 

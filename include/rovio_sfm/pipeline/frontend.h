@@ -12,7 +12,7 @@
 #include "rovio_sfm/pipeline/light_tracks.h"
 #include "rovio_sfm/pipeline/match_recursively.h"
 #include "rovio_sfm/pipeline/prepare_image.h"
-#include "rovio_sfm/pipeline/plain_tracks.h"
+#include "rovio_sfm/tracks/track_builder.h"
 #include "rovio_sfm/util/stage_times.h"
 
 namespace rovio_sfm {
@@ -59,7 +59,7 @@ class Frontend {
     uint32_t next_index = 0;
     KeyframeChooser chooser;
     LightTracks light;
-    PlainTrackBuilder tracks;
+    TrackBuilder tracks;
     std::deque<RecentKeyframe> recent;
   };
 

@@ -8,7 +8,7 @@
 #include "rovio_sfm/pipeline/choose_keyframe.h"
 #include "rovio_sfm/pipeline/light_tracks.h"
 #include "rovio_sfm/pipeline/match_recursively.h"
-#include "rovio_sfm/pipeline/plain_tracks.h"
+#include "rovio_sfm/tracks/track_builder.h"
 
 namespace rovio_sfm {
 
@@ -22,7 +22,7 @@ struct FrontendOptions {
   ExtractOptions extract;
   PairOptions pair;
   RecursionOptions recursion;
-  PlainTrackOptions track;
+  TrackOptions track;
   LightOptions light;
 
   // Names option, value and bound of the first that does not fit.
