@@ -1,0 +1,61 @@
+#pragma once
+
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <tf2/buffer_core.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/pipeline/events.h"
+#include "rovio_sfm/ros/robot_sensors.h"
+
+namespace rovio_sfm {
+
+// The images of one robot in one bag.
+struct BagDrive {
+  std::filesystem::path bag;
+  std::string robot;        // from the topic: /<robot>/image_raw...
+  std::string image_topic;  // compressed, where a bag has both
+};
+
+// All drives of the bags, in the order given, then by robot. Throws std::runtime_error naming the
+// bag if it cannot be read or holds no /<robot>/image_raw or /<robot>/image_raw/compressed.
+std::vector<BagDrive> FindDrives(const std::vector<std::filesystem::path>& bags);
+
+// The image events of a drive in the order of the bag, as a frontend node would make them: with
+// odometry and the head's pose at each stamp. All else is read first, images one by one. Malformed
+// messages are left out and counted.
+class BagImages {
+ public:
+  // Throws std::runtime_error if the bag cannot be read or has no usable camera_info.
+  BagImages(const BagDrive& drive, SensorOptions options);
+
+  size_t Count() const { return num_images_; }
+  size_t NumRefused() const { return num_refused_; }
+  std::optional<ImageEvent> Next();
+
+ private:
+  void ReadMotion(const std::string& odom_topic);
+  void ReadCameras(const std::string& info_topic);
+  const sensor_msgs::CameraInfo& CameraAt(const ros::Time& stamp) const;
+  void ReadTransforms(const rosbag::MessageInstance& message);
+  std::optional<ImageEvent> ReadImage(const rosbag::MessageInstance& message);
+
+  BagDrive drive_;
+  rosbag::Bag bag_;
+  tf2::BufferCore transforms_;
+  RobotSensors sensors_;
+  std::map<ros::Time, sensor_msgs::CameraInfo> cameras_;
+  std::unique_ptr<rosbag::View> view_;  // images
+  rosbag::View::iterator next_;
+  size_t num_images_ = 0;
+  size_t num_read_ = 0;
+  size_t num_refused_ = 0;
+};
+
+}  // namespace rovio_sfm

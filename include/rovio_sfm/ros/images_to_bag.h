@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+
+#include "rovio_sfm/io/dataset_folder.h"
+
+namespace rovio_sfm {
+
+// Writes a data set as the bag that record.launch would have made of a drive: /<robot>/image_raw/
+// compressed (the files' own bytes), /<robot>/camera_info, /<robot>/odom with all samples of
+// odometry.txt, and /tf with base_link from camera_optical at every image that knows it. Throws
+// std::runtime_error with path and cause; refuses to replace a file unless `overwrite`.
+void WriteBag(const DatasetFolder& dataset, const std::string& robot,
+              const std::filesystem::path& bag_path, bool overwrite);
+
+// The command images_to_bag; returns the exit status and throws like WriteBag.
+int ImagesToBagCommand(int argc, const char* const* argv, std::ostream& out);
+
+}  // namespace rovio_sfm

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "rovio_sfm/pipeline/frontend_options.h"
+#include "rovio_sfm/pipeline/mapper_options.h"
+#include "rovio_sfm/ros/option_reader.h"
+#include "rovio_sfm/ros/robot_sensors.h"
+
+// Options from YAML (files or parameters), field by field as the structs have them. An unknown key,
+// a value of another type or out of range throws std::runtime_error that names it: a node then does
+// not start.
+namespace rovio_sfm {
+
+void ReadOptions(OptionReader* reader, FrontendOptions* options);  // config/frontend.yaml
+void ReadOptions(OptionReader* reader, MapperOptions* options);    // config/mapping.yaml
+void ReadOptions(OptionReader* reader, SensorOptions* options);
+
+// Throws what IsValid complains about.
+template <typename Options>
+void RequireValid(const Options& options) {
+  std::string error;
+  if (!options.IsValid(&error)) throw std::runtime_error(error);
+}
+
+}  // namespace rovio_sfm

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <xmlrpcpp/XmlRpcValue.h>
+#include <yaml-cpp/yaml.h>
+
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rovio_sfm {
+
+// Reads one group of options from YAML: fields that are missing keep their defaults; a field of
+// another type, or a key nobody asked for, throws std::runtime_error that names it.
+class OptionReader {
+ public:
+  // A null node is an empty group. `path` names the group in messages, e.g. "mapper".
+  OptionReader(const YAML::Node& node, const std::string& path);
+
+  void Read(const std::string& name, bool* value) { ReadScalar(name, "true or false", value); }
+  void Read(const std::string& name, int* value) { ReadScalar(name, "a whole number", value); }
+  void Read(const std::string& name, uint32_t* value) {
+    ReadScalar(name, "a whole number, 0 or more", value);
+  }
+  void Read(const std::string& name, uint64_t* value) {
+    ReadScalar(name, "a whole number, 0 or more", value);
+  }
+  void Read(const std::string& name, float* value) { ReadScalar(name, "a number", value); }
+  void Read(const std::string& name, double* value) { ReadScalar(name, "a number", value); }
+  void Read(const std::string& name, std::string* value) { ReadScalar(name, "text", value); }
+  void Read(const std::string& name, std::vector<std::string>* value) {
+    ReadScalar(name, "a list of texts", value);
+  }
+
+  void Read(const std::string& name, std::vector<double>* value) {
+    ReadScalar(name, "a list of numbers", value);
+  }
+  void Read(const std::string& name, std::vector<int>* value) {
+    ReadScalar(name, "a list of whole numbers", value);
+  }
+
+  // One of the names given; the value is its enumerator.
+  template <typename Enum>
+  void ReadChoice(const std::string& name, const std::vector<std::pair<std::string, Enum>>& choices,
+                  Enum* value);
+
+  // The group of that name below this one; empty where it is missing.
+  OptionReader Group(const std::string& name);
+
+  // Names the first key that was not read.
+  void RefuseUnknown() const;
+
+  // "path.name = value" of everything read so far, groups included, in the order read.
+  const std::vector<std::string>& Effective() const { return *effective_; }
+
+  // Throws with "path.name: reason".
+  [[noreturn]] void Fail(const std::string& name, const std::string& reason) const;
+
+ private:
+  template <typename T>
+  void ReadScalar(const std::string& name, const std::string& expected, T* value);
+
+  std::string PathOf(const std::string& name) const;
+
+  YAML::Node node_;
+  std::string path_;
+  std::set<std::string> known_;
+  std::shared_ptr<std::vector<std::string>> effective_;  // shared with the groups below
+};
+
+template <typename Enum>
+void OptionReader::ReadChoice(const std::string& name,
+                              const std::vector<std::pair<std::string, Enum>>& choices,
+                              Enum* value) {
+  std::string chosen, expected;
+  for (const auto& [choice, enumerator] : choices) {
+    if (enumerator == *value) chosen = choice;
+    expected += (expected.empty() ? "" : ", ") + choice;
+  }
+  Read(name, &chosen);
+  for (const auto& [choice, enumerator] : choices) {
+    if (choice != chosen) continue;
+    *value = enumerator;
+    return;
+  }
+  Fail(name, "expected one of " + expected);
+}
+
+// The parameters of a node as YAML, so that both go through one reader.
+YAML::Node ToYaml(XmlRpc::XmlRpcValue value);
+
+}  // namespace rovio_sfm

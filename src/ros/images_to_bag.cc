@@ -1,0 +1,130 @@
+#include "rovio_sfm/ros/images_to_bag.h"
+
+#include <rosbag/bag.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <ostream>
+#include <stdexcept>
+
+#include "rovio_sfm/io/odometry_file.h"
+#include "rovio_sfm/ros/conversions.h"
+#include "rovio_sfm/ros/topics.h"
+
+namespace rovio_sfm {
+namespace {
+
+// Odometry and images have other stamps; rosbag wants no stamp of zero.
+constexpr int64_t kFirstStampNs = 1;
+
+std::vector<uint8_t> ReadBytes(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::vector<uint8_t> bytes((std::istreambuf_iterator<char>(file)),
+                             std::istreambuf_iterator<char>());
+  if (!file || bytes.empty()) throw std::runtime_error(path.string() + ": cannot be read");
+  return bytes;
+}
+
+// Writes the messages of one robot.
+class BagWriter {
+ public:
+  BagWriter(const std::string& robot, const std::string& path)
+      : robot_(robot), bag_(path, rosbag::bagmode::Write) {}
+
+  void WriteImage(const DatasetImage& image, const Camera& camera) {
+    sensor_msgs::CompressedImage message;
+    message.header.stamp = ToTime(image.stamp_ns);
+    message.header.frame_id = robot_ + "/camera_optical";
+    message.data = ReadBytes(image.path);
+    message.format = message.data.front() == 0xFF ? "jpeg" : "png";
+    bag_.write(Topic(topics::kCameraInfo), message.header.stamp,
+               ToCameraInfo(camera, image.stamp_ns, message.header.frame_id));
+    if (image.base_from_camera) WriteHead(message.header, *image.base_from_camera);
+    bag_.write(Topic(topics::kImageCompressed), message.header.stamp, message);
+  }
+
+  void WriteOdometry(const StampedOdometry& odometry) {
+    bag_.write(
+        Topic(topics::kOdom), ToTime(std::max(kFirstStampNs, odometry.stamp_ns)),
+        ToOdometry(odometry.sample, odometry.stamp_ns, robot_ + "/odom", robot_ + "/base_link"));
+  }
+
+  void Close() { bag_.close(); }
+
+ private:
+  std::string Topic(const char* name) const { return "/" + robot_ + "/" + name; }
+
+  void WriteHead(const std_msgs::Header& header, const Rigid3& base_from_camera) {
+    tf2_msgs::TFMessage message;
+    message.transforms.resize(1);
+    message.transforms[0].header.stamp = header.stamp;
+    message.transforms[0].header.frame_id = robot_ + "/base_link";
+    message.transforms[0].child_frame_id = header.frame_id;
+    message.transforms[0].transform = ToTransform(base_from_camera);
+    bag_.write("/tf", header.stamp, message);
+  }
+
+  std::string robot_;
+  rosbag::Bag bag_;
+};
+
+std::vector<StampedOdometry> ReadAllOdometry(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "odometry.txt";
+  return std::filesystem::exists(file) ? ReadOdometry(file) : std::vector<StampedOdometry>{};
+}
+
+// Images and odometry by rising stamp; odometry first where both are equal.
+void WriteInOrder(const DatasetFolder& dataset, BagWriter* writer) {
+  const std::vector<StampedOdometry> odometry = ReadAllOdometry(dataset.path);
+  auto next = odometry.begin();
+  for (const DatasetImage& image : dataset.images) {
+    for (; next != odometry.end() && next->stamp_ns <= image.stamp_ns; ++next) {
+      writer->WriteOdometry(*next);
+    }
+    writer->WriteImage(image, dataset.camera);
+  }
+  for (; next != odometry.end(); ++next) writer->WriteOdometry(*next);
+}
+
+}  // namespace
+
+void WriteBag(const DatasetFolder& dataset, const std::string& robot,
+              const std::filesystem::path& bag_path, bool overwrite) {
+  std::string error;
+  if (!IsValidRobotName(robot, &error)) throw std::runtime_error(error);
+  if (!overwrite && std::filesystem::exists(bag_path)) {
+    throw std::runtime_error(bag_path.string() + ": exists already (--overwrite replaces it)");
+  }
+  const std::filesystem::path unfinished = bag_path.string() + ".active";
+  BagWriter writer(robot, unfinished.string());
+  WriteInOrder(dataset, &writer);
+  writer.Close();
+  std::filesystem::rename(unfinished, bag_path);
+}
+
+int ImagesToBagCommand(int argc, const char* const* argv, std::ostream& out) {
+  CLI::App app("Writes a folder of images (layout: see README) as a bag of one robot's drive");
+  std::string folder, bag, robot = "rovio1";
+  size_t stride = 1, max_images = 0;
+  bool overwrite = false;
+  app.add_option("folder", folder, "images/, times.txt, calibration.txt and so on")->required();
+  app.add_option("bag", bag, "the file to write")->required();
+  app.add_option("--robot", robot, "name of the robot and its namespace");
+  app.add_option("--stride", stride, "every how manieth image")->check(CLI::Range(1, 1000000));
+  app.add_option("--max-images", max_images, "stop after so many; 0: all");
+  app.add_flag("--overwrite", overwrite, "replace the bag if it exists");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, out, out);
+  }
+  DatasetFolder dataset = EveryNth(ReadDatasetFolder(folder), stride);
+  if (max_images > 0 && dataset.images.size() > max_images) dataset.images.resize(max_images);
+  WriteBag(dataset, robot, bag, overwrite);
+  out << dataset.images.size() << " images in " << std::filesystem::absolute(bag).string() << "\n";
+  return 0;
+}
+
+}  // namespace rovio_sfm

@@ -1,0 +1,80 @@
+#include "rovio_sfm/ros/load_options.h"
+
+namespace rovio_sfm {
+namespace {
+
+void ReadBootstrap(OptionReader reader, BootstrapOptions* options) {
+  reader.Read("max_held_frames", &options->max_held_frames);
+  reader.Read("min_inliers", &options->min_inliers);
+  reader.Read("min_angle_deg", &options->min_angle_deg);
+  reader.Read("wished_angle_deg", &options->wished_angle_deg);
+  reader.Read("patience", &options->patience);
+  reader.RefuseUnknown();
+}
+
+void ReadResect(OptionReader reader, ResectOptions* options) {
+  reader.Read("threshold_px", &options->threshold_px);
+  reader.Read("min_inliers", &options->min_inliers);
+  reader.Read("max_iterations", &options->max_iterations);
+  reader.RefuseUnknown();
+}
+
+void ReadTriangulate(OptionReader reader, TriangulateOptions* options) {
+  reader.Read("min_parallax_deg", &options->min_parallax_deg);
+  reader.Read("max_error_px", &options->max_error_px);
+  reader.RefuseUnknown();
+}
+
+void ReadAdjust(OptionReader reader, AdjustOptions* options) {
+  reader.Read("local_frames", &options->local_frames);
+  reader.Read("local_max_iterations", &options->local_max_iterations);
+  reader.Read("global_max_iterations", &options->global_max_iterations);
+  reader.Read("global_growth", &options->global_growth);
+  reader.Read("global_delay", &options->global_delay);
+  reader.Read("loss_px", &options->loss_px);
+  reader.RefuseUnknown();
+}
+
+void ReadPrune(OptionReader reader, PruneOptions* options) {
+  reader.Read("max_error_px", &options->max_error_px);
+  reader.Read("final_error_sigmas", &options->final_error_sigmas);
+  reader.RefuseUnknown();
+}
+
+void ReadScale(OptionReader reader, ScaleOptions* options) {
+  reader.Read("min_distance_m", &options->min_distance_m);
+  reader.Read("max_rotation_gap_deg", &options->max_rotation_gap_deg);
+  reader.Read("odometry_gain_sigma", &options->odometry_gain_sigma);
+  reader.Read("sideways_sigma", &options->sideways_sigma);
+  reader.RefuseUnknown();
+}
+
+}  // namespace
+
+void ReadOptions(OptionReader* reader, MapperOptions* options) {
+  ReadBootstrap(reader->Group("bootstrap"), &options->bootstrap);
+  ReadResect(reader->Group("resect"), &options->resect);
+  ReadTriangulate(reader->Group("triangulate"), &options->triangulate);
+  ReadAdjust(reader->Group("adjust"), &options->adjust);
+  ReadPrune(reader->Group("prune"), &options->prune);
+  ReadScale(reader->Group("scale"), &options->scale);
+  reader->Read("max_weak_frames", &options->max_weak_frames);
+  reader->Read("pixel_sigma_px", &options->pixel_sigma_px);
+  reader->Read("sigma_size_px", &options->sigma_size_px);
+  reader->Read("sigma_exponent", &options->sigma_exponent);
+  reader->Read("seed", &options->seed);
+  reader->RefuseUnknown();
+  RequireValid(*options);
+}
+
+void ReadOptions(OptionReader* reader, SensorOptions* options) {
+  reader->Read("base_frame", &options->base_frame);
+  reader->Read("image_latency_s", &options->image_latency_s);
+  reader->Read("odom_latency_s", &options->odom_latency_s);
+  reader->Read("max_odom_gap_s", &options->max_odom_gap_s);
+  reader->Read("odom_memory_s", &options->odom_memory_s);
+  reader->RefuseUnknown();
+  RequireValid(*options);
+}
+
+}  // namespace rovio_sfm
