@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rovio_sfm/geometry/normalize_points.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -24,21 +26,6 @@ Eigen::Matrix3d MatrixFromStack(const Vector9d& stack) {
   return Eigen::Map<const RowMajor3d>(stack.data());
 }
 
-// The similarity T that moves points to mean 0 and mean distance sqrt(2) (A.4.30).
-std::optional<Eigen::Matrix3d> FindNormalization(const std::vector<Eigen::Vector2d>& points) {
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& x : points) mean += x;
-  mean /= static_cast<double>(points.size());
-  double distance = 0.0;
-  for (const Eigen::Vector2d& x : points) distance += (x - mean).norm();
-  distance /= static_cast<double>(points.size());
-  if (!(distance > 1e-12)) return std::nullopt;
-  const double scale = std::sqrt(2.0) / distance;
-  Eigen::Matrix3d transform;
-  transform << scale, 0.0, -scale * mean.x(), 0.0, scale, -scale * mean.y(), 0.0, 0.0, 1.0;
-  return transform;
-}
-
 // The epipolar equations of all matches in normalised form, reduced to 9 rows: |rows * E| is the
 // algebraic error |A E| of the stacked, normalised E (Eq. A.4.29).
 struct EpipolarEquations {
@@ -54,8 +41,8 @@ struct EpipolarEquations {
 std::optional<EpipolarEquations> BuildEquations(const std::vector<Eigen::Vector2d>& points_a,
                                                 const std::vector<Eigen::Vector2d>& points_b) {
   if (points_a.size() < 8 || points_a.size() != points_b.size()) return std::nullopt;
-  const auto transform_a = FindNormalization(points_a);
-  const auto transform_b = FindNormalization(points_b);
+  const auto transform_a = FindPointNormalization(points_a);
+  const auto transform_b = FindPointNormalization(points_b);
   if (!transform_a || !transform_b) return std::nullopt;
   Matrix9d normal = Matrix9d::Zero();
   for (size_t i = 0; i < points_a.size(); ++i) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rovio_sfm/geometry/normalize_points.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -14,21 +16,6 @@ using Matrix9d = Eigen::Matrix<double, 9, 9>;
 using RowMajor3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 constexpr double kMinEigenvalueRatio = 1e-13;
-
-// Brings points to mean 0 and mean distance sqrt(2).
-std::optional<Eigen::Matrix3d> FindNormalization(const std::vector<Eigen::Vector2d>& points) {
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& x : points) mean += x;
-  mean /= static_cast<double>(points.size());
-  double distance = 0.0;
-  for (const Eigen::Vector2d& x : points) distance += (x - mean).norm();
-  distance /= static_cast<double>(points.size());
-  if (!(distance > 1e-12)) return std::nullopt;
-  const double scale = std::sqrt(2.0) / distance;
-  Eigen::Matrix3d transform;
-  transform << scale, 0.0, -scale * mean.x(), 0.0, scale, -scale * mean.y(), 0.0, 0.0, 1.0;
-  return transform;
-}
 
 std::optional<Eigen::Matrix3d> WithUnitDeterminant(const Eigen::Matrix3d& matrix) {
   const double determinant = matrix.determinant();
@@ -68,8 +55,8 @@ TransferSystem Linearize(const std::vector<Eigen::Vector2d>& points_a,
 std::optional<Eigen::Matrix3d> EstimateHomography(const std::vector<Eigen::Vector2d>& points_a,
                                                   const std::vector<Eigen::Vector2d>& points_b) {
   if (points_a.size() < 4 || points_a.size() != points_b.size()) return std::nullopt;
-  const auto transform_a = FindNormalization(points_a);
-  const auto transform_b = FindNormalization(points_b);
+  const auto transform_a = FindPointNormalization(points_a);
+  const auto transform_b = FindPointNormalization(points_b);
   if (!transform_a || !transform_b) return std::nullopt;
   Matrix9d normal = Matrix9d::Zero();
   for (size_t i = 0; i < points_a.size(); ++i) {
