@@ -2,6 +2,7 @@
 rovio_program(evaluate_trajectory LINKS rovio_tools)
 if(ROVIO_WITH_ROS)
   rovio_program(images_to_bag LINKS rovio_ros)
+  rovio_program(frontend LINKS rovio_ros)
   rovio_program(rovio_driver LINKS rovio_ros)
 endif()
 rovio_program(rovio_sim LINKS rovio_sim)

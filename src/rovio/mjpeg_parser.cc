@@ -74,10 +74,8 @@ MjpegParser::MjpegParser(std::string_view boundary, const MjpegParserOptions& op
 
 bool MjpegParser::Feed(std::string_view bytes, int64_t stamp_ns) {
   if (fault_ != MjpegFault::kNone) return false;
-  older_stamp_ns_ = newest_stamp_ns_;
-  newest_stamp_ns_ = stamp_ns;
-  newest_begin_ = buffer_.size();
   buffer_.append(bytes);
+  arrivals_.push_back({buffer_.size(), stamp_ns});
   while (Step()) {
   }
   return fault_ == MjpegFault::kNone;
@@ -175,7 +173,8 @@ void MjpegParser::EmitBody(size_t length) {
 }
 
 void MjpegParser::StartPart(size_t delimiter_at) {
-  part_stamp_ns_ = delimiter_at < newest_begin_ ? older_stamp_ns_ : newest_stamp_ns_;
+  while (arrivals_.size() > 1 && arrivals_.front().end <= delimiter_at) arrivals_.pop_front();
+  part_stamp_ns_ = arrivals_.front().stamp_ns;
   Discard(delimiter_at + delimiter_.size());
   state_ = State::kHeader;
   junk_bytes_ = header_bytes_ = header_lines_ = 0;
@@ -186,7 +185,8 @@ void MjpegParser::StartPart(size_t delimiter_at) {
 void MjpegParser::Discard(size_t count) {
   buffer_.erase(0, count);
   searched_ -= std::min(searched_, count);
-  newest_begin_ -= std::min(newest_begin_, count);
+  while (!arrivals_.empty() && arrivals_.front().end <= count) arrivals_.pop_front();
+  for (Arrival& arrival : arrivals_) arrival.end -= count;
 }
 
 // Looks only where nobody has looked yet, so that a slow stream costs no more than a fast one.

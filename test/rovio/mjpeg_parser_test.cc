@@ -62,8 +62,7 @@ TEST(MjpegParser, StampsAPartWithTheFirstByteOfItsBoundary) {
   const Parsed parsed = Parse(stream, 1);
   ASSERT_EQ(parsed.parts.size(), 2u);
   EXPECT_EQ(parsed.parts[0].stamp_ns, 1);
-  // A boundary is known only when it is whole: by one piece of a byte each it may be one late.
-  EXPECT_GE(parsed.parts[1].stamp_ns,
+  EXPECT_EQ(parsed.parts[1].stamp_ns,
             static_cast<int64_t>(sizeof(kPartHeader) - 1 + first.size() + 1));
 }
 

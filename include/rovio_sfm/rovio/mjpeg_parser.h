@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <string>
@@ -51,6 +52,10 @@ class MjpegParser {
 
  private:
   enum class State { kJunk, kHeader, kBody };
+  struct Arrival {
+    size_t end = 0;  // in buffer_: the bytes before it, behind the former's end
+    int64_t stamp_ns = 0;
+  };
 
   bool Step();
   bool SkipJunk();
@@ -70,10 +75,8 @@ class MjpegParser {
   State state_ = State::kJunk;
   MjpegFault fault_ = MjpegFault::kNone;
   std::string buffer_;
-  size_t searched_ = 0;          // no delimiter begins before this place of buffer_
-  size_t newest_begin_ = 0;      // where in buffer_ the bytes of the newest Feed begin
-  int64_t newest_stamp_ns_ = 0;  // of those bytes
-  int64_t older_stamp_ns_ = 0;   // of the bytes before them
+  size_t searched_ = 0;           // no delimiter begins before this place of buffer_
+  std::deque<Arrival> arrivals_;  // of the bytes in buffer_, one per Feed
   int64_t part_stamp_ns_ = 0;
   size_t junk_bytes_ = 0;
   size_t header_bytes_ = 0;

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <camera_info_manager/camera_info_manager.h>
+#include <image_transport/image_transport.h>
+#include <ros/node_handle.h>
+#include <sensor_msgs/CameraInfo.h>
+
+#include <atomic>
+#include <optional>
+#include <string>
+
+#include "rovio_sfm/ros/driver_options.h"
+
+namespace rovio_sfm {
+
+// Publishes images as the robot sent them, with camera_info, and decoded while somebody listens.
+// Publish belongs to one thread.
+class DriverImagePublisher {
+ public:
+  DriverImagePublisher(const ros::NodeHandle& handle, const DriverOptions& options);
+
+  void Publish(const CameraImage& image);
+
+  uint64_t NumPublished() const { return num_published_; }
+
+ private:
+  sensor_msgs::CameraInfo InfoFor(const CameraImage& image);
+  void PublishDecoded(const CameraImage& image, const std_msgs::Header& header);
+
+  ros::NodeHandle handle_;
+  const std::string frame_id_;
+  const double latency_s_;
+  image_transport::ImageTransport transport_;
+  camera_info_manager::CameraInfoManager info_manager_;
+  ros::Publisher compressed_;
+  ros::Publisher info_;
+  image_transport::Publisher decoded_;
+  bool has_warned_of_size_ = false;
+  std::atomic<uint64_t> num_published_{0};
+};
+
+}  // namespace rovio_sfm

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <thread>
+
+#include "rovio_sfm/ros/driver_image_publisher.h"
+#include "rovio_sfm/rovio/image_statistics.h"
+#include "rovio_sfm/util/mutex.h"
+#include "rovio_sfm/util/worker.h"
+
+namespace rovio_sfm {
+
+// What the images' side has to say in diagnostics.
+struct ImagesState {
+  ImageLink link = ImageLink::kConnecting;
+  std::string reason;
+  ImageFigures figures;  // since the last call of TakeState
+  uint64_t num_published = 0;
+  uint64_t num_dropped = 0;  // nobody had time to publish them
+};
+
+// The images of one robot: a reader on its own thread, a choice of images in stationary mode, and a
+// worker that publishes. The destructor ends both threads.
+class DriverImages {
+ public:
+  DriverImages(const ros::NodeHandle& handle, const DriverOptions& options,
+               const Credentials& credentials);
+  ~DriverImages();
+
+  // Tells the stationary mode whether the robot moves, at this ROS time. Any thread.
+  void NoteMotion(bool is_moving, int64_t now_ns) EXCLUDES(mutex_);
+
+  ImagesState TakeState() EXCLUDES(mutex_);
+  const ImageCounters& Counters() const { return reader_.Counters(); }
+  uint64_t NumPublished() const { return publisher_.NumPublished(); }
+  uint64_t NumDropped() const;
+  ImageLink Link() const EXCLUDES(mutex_);
+
+ private:
+  ImageReader::Callbacks MakeCallbacks();
+  void OnImage(CameraImage image) EXCLUDES(mutex_);
+  void OnLink(ImageLink link, const std::string& reason) EXCLUDES(mutex_);
+
+  const bool is_stationary_;
+  mutable Mutex mutex_;
+  StationaryTrigger trigger_ GUARDED_BY(mutex_);
+  ImageStatistics statistics_ GUARDED_BY(mutex_);
+  ImageLink link_ GUARDED_BY(mutex_) = ImageLink::kConnecting;
+  std::string reason_ GUARDED_BY(mutex_) = "no image yet";
+  CurlTransport transport_;
+  ReaderGate gate_;
+  DriverImagePublisher publisher_;
+  // One image waits; an older one is dropped: a slow subscriber gets the newest.
+  Worker<CameraImage> publish_worker_;
+  ImageReader reader_;
+  std::thread reader_thread_;  // last: starts when all others exist
+};
+
+}  // namespace rovio_sfm

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <geometry_msgs/Twist.h>
+#include <ros/node_handle.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "rovio_sfm/ros/driver_options.h"
+#include "rovio_sfm/rovio/drive_loop.h"
+#include "rovio_sfm/util/mutex.h"
+
+namespace rovio_sfm {
+
+// What is known about the robot, for status and diagnostics.
+struct RobotState {
+  bool is_up = false;
+  std::string reason = "not reached yet";
+  bool is_moving = false;
+  std::optional<McuReport> mcu;
+  std::optional<RobotReport> report;
+  uint64_t num_lost_readings = 0;
+  uint64_t num_commands = 0;
+  uint64_t num_failed_commands = 0;
+  std::string last_command_fault;  // empty: the last command succeeded
+};
+
+// Wheels and health of one robot: commands from cmd_vel on one worker, readings on another. It
+// publishes odom and tf. The destructor stops the robot.
+class DriverMotion {
+ public:
+  // on_motion is told, for each reading, whether the robot moves, at this ROS time.
+  using OnMotion = std::function<void(bool is_moving, int64_t now_ns)>;
+
+  DriverMotion(const ros::NodeHandle& handle, const DriverOptions& options,
+               const Credentials& credentials, OnMotion on_motion);
+  ~DriverMotion();
+
+  RobotState State() const EXCLUDES(mutex_);
+
+  // Waits until a report comes that satisfies the condition; false after this many seconds.
+  bool WaitForReport(double seconds, const std::function<bool(const RobotReport&)>& condition)
+      EXCLUDES(mutex_);
+
+ private:
+  ReportLoop::Callbacks MakeReportCallbacks();
+  void OnTwist(const geometry_msgs::Twist& twist);
+  void OnCommand(const DriveCommand& command, const RobotOutcome& outcome) EXCLUDES(mutex_);
+  void OnMcu(const McuReport& mcu, int64_t stamp_ns) EXCLUDES(mutex_);
+  void OnLink(bool is_up, const std::string& reason) EXCLUDES(mutex_);
+  void PublishPose(const McuReport& mcu, const BaseMotion& motion, int64_t stamp_ns);
+  void StartTimers();
+
+  ros::NodeHandle handle_;
+  const DriverOptions options_;
+  const OnMotion on_motion_;
+  ros::Publisher odom_;
+  tf2_ros::TransformBroadcaster broadcaster_;
+  tf2_ros::StaticTransformBroadcaster static_broadcaster_;
+  mutable Mutex mutex_;
+  std::condition_variable_any report_came_;
+  RobotState state_ GUARDED_BY(mutex_);
+  OmniOdometry odometry_;    // of the report worker
+  int64_t last_mcu_ns_ = 0;  // of the report worker
+  bool is_odometry_begun_ = false;
+  CurlTransport drive_transport_;
+  CurlTransport report_transport_;
+  DriveLoop drive_loop_;
+  ReportLoop report_loop_;
+  ros::Subscriber twist_subscriber_;
+  ros::SteadyTimer drive_timer_;
+  ros::SteadyTimer mcu_timer_;
+  ros::SteadyTimer report_timer_;
+};
+
+}  // namespace rovio_sfm

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "rovio_sfm/rovio/rovio_protocol.h"
+
+namespace rovio_sfm {
+
+// Brings the camera to the wished settings once, and finds out whether the robot obeyed: it answers
+// before it acts and hides refusals, and every change wears out its flash. So: one request, then
+// reports are compared until they agree or the patience ends. Times in ns. Not thread-safe.
+class SettingsKeeper {
+ public:
+  enum class Step { kNothing, kRequest, kAgreed, kRefused };
+
+  explicit SettingsKeeper(const std::optional<CameraSettings>& wanted) : wanted_(wanted) {}
+
+  // What to do now that the robot reports these settings. kAgreed and kRefused come once.
+  Step Next(const CameraSettings& present, int64_t now_ns);
+
+  // After kRequest; has_arrived is false when it could not be sent: the next report asks again.
+  void MarkRequested(bool has_arrived, int64_t now_ns);
+
+  const CameraSettings& Wanted() const { return *wanted_; }
+
+ private:
+  std::optional<CameraSettings> wanted_;
+  std::optional<int64_t> requested_ns_;
+  bool is_done_ = false;
+};
+
+// "resolution 3, compression 2, …".
+std::string Describe(const CameraSettings& settings);
+
+bool operator==(const CameraSettings& a, const CameraSettings& b);
+
+}  // namespace rovio_sfm

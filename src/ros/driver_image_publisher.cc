@@ -1,0 +1,85 @@
+#include "rovio_sfm/ros/driver_image_publisher.h"
+
+#include <cv_bridge/cv_bridge.h>
+#include <ros/console.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/image_encodings.h>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "rovio_sfm/ros/topics.h"
+
+namespace rovio_sfm {
+namespace {
+
+// Where image_transport's own compressed plug-in is installed it would publish a second, re-encoded
+// picture on the topic of the robot's own bytes.
+ros::NodeHandle WithoutPlugins(const ros::NodeHandle& handle) {
+  handle.setParam(std::string(topics::kImageRaw) + "/disable_pub_plugins",
+                  std::vector<std::string>{"image_transport/compressed"});
+  return handle;
+}
+
+}  // namespace
+
+DriverImagePublisher::DriverImagePublisher(const ros::NodeHandle& handle,
+                                           const DriverOptions& options)
+    : handle_(handle),
+      frame_id_(options.frames.camera_optical),
+      latency_s_(options.image_latency_s),
+      transport_(WithoutPlugins(handle)),
+      info_manager_(handle, options.camera_name, options.camera_info_url),
+      compressed_(handle_.advertise<sensor_msgs::CompressedImage>(topics::kImageCompressed,
+                                                                  topics::kImageQueue)),
+      info_(handle_.advertise<sensor_msgs::CameraInfo>(topics::kCameraInfo,
+                                                       topics::kCameraInfoQueue)),
+      decoded_(transport_.advertise(topics::kImageRaw, topics::kImageQueue)) {
+  info_manager_.loadCameraInfo(options.camera_info_url);
+}
+
+void DriverImagePublisher::Publish(const CameraImage& image) {
+  std_msgs::Header header;
+  header.stamp.fromNSec(static_cast<uint64_t>(image.stamp_ns));
+  header.stamp -= ros::Duration(latency_s_);
+  header.frame_id = frame_id_;
+
+  sensor_msgs::CameraInfo info = InfoFor(image);
+  info.header = header;
+  sensor_msgs::CompressedImagePtr message(new sensor_msgs::CompressedImage);
+  message->header = header;
+  message->format = "jpeg";
+  message->data.assign(image.jpeg.begin(), image.jpeg.end());
+  compressed_.publish(message);
+  info_.publish(info);
+  if (decoded_.getNumSubscribers() > 0) PublishDecoded(image, header);
+  ++num_published_;
+}
+
+// An image of another size than the calibration's is published as uncalibrated: nobody knows
+// whether the sensor scales or crops.
+sensor_msgs::CameraInfo DriverImagePublisher::InfoFor(const CameraImage& image) {
+  sensor_msgs::CameraInfo info = info_manager_.getCameraInfo();
+  const auto width = static_cast<uint32_t>(image.width_px);
+  const auto height = static_cast<uint32_t>(image.height_px);
+  if (info.width == width && info.height == height) return info;
+  if (!has_warned_of_size_) {
+    ROS_WARN_NAMED("images", "images are %u x %u, the calibration is for %u x %u: uncalibrated",
+                   width, height, info.width, info.height);
+    has_warned_of_size_ = true;
+  }
+  info = sensor_msgs::CameraInfo();
+  info.width = width;
+  info.height = height;
+  return info;
+}
+
+void DriverImagePublisher::PublishDecoded(const CameraImage& image,
+                                          const std_msgs::Header& header) {
+  const std::vector<uint8_t> bytes(image.jpeg.begin(), image.jpeg.end());
+  const cv::Mat pixels = cv::imdecode(bytes, cv::IMREAD_COLOR);
+  if (pixels.empty()) return;
+  decoded_.publish(
+      cv_bridge::CvImage(header, sensor_msgs::image_encodings::BGR8, pixels).toImageMsg());
+}
+
+}  // namespace rovio_sfm

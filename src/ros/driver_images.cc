@@ -1,0 +1,101 @@
+#include "rovio_sfm/ros/driver_images.h"
+
+#include <ros/console.h>
+#include <ros/time.h>
+
+#include <utility>
+
+namespace rovio_sfm {
+namespace {
+
+// A robot that looks once per stop has no use for a stream.
+ImageReaderOptions ReaderOptions(const DriverOptions& options) {
+  ImageReaderOptions reader = options.images;
+  if (options.capture_mode == CaptureMode::kStationary && reader.source == ImageSource::kAuto) {
+    reader.source = ImageSource::kStills;
+  }
+  return reader;
+}
+
+}  // namespace
+
+DriverImages::DriverImages(const ros::NodeHandle& handle, const DriverOptions& options,
+                           const Credentials& credentials)
+    : is_stationary_(options.capture_mode == CaptureMode::kStationary),
+      trigger_(options.stationary),
+      transport_(options.http, credentials),
+      gate_(!is_stationary_),
+      publisher_(handle, options),
+      publish_worker_(1, WhenFull::kDropOldest,
+                      [this](const CameraImage& image) { publisher_.Publish(image); }),
+      reader_(ReaderOptions(options), &transport_, &gate_, MakeCallbacks()),
+      reader_thread_([this] { reader_.Run(); }) {}
+
+DriverImages::~DriverImages() {
+  gate_.Stop();
+  transport_.Cancel();
+  reader_thread_.join();
+  publish_worker_.Stop();
+}
+
+ImageReader::Callbacks DriverImages::MakeCallbacks() {
+  ImageReader::Callbacks callbacks;
+  callbacks.on_image = [this](CameraImage image) { OnImage(std::move(image)); };
+  callbacks.on_link = [this](ImageLink link, const std::string& reason) { OnLink(link, reason); };
+  callbacks.now_ns = [] { return static_cast<int64_t>(ros::Time::now().toNSec()); };
+  return callbacks;
+}
+
+void DriverImages::NoteMotion(bool is_moving, int64_t now_ns) {
+  if (!is_stationary_) return;
+  MutexLock lock(mutex_);
+  trigger_.Note(is_moving, now_ns);
+  gate_.SetOpen(trigger_.WantsImage(now_ns));
+}
+
+void DriverImages::OnImage(CameraImage image) {
+  {
+    MutexLock lock(mutex_);
+    statistics_.Add(image.stamp_ns, image.complete_ns);
+    if (is_stationary_) {
+      if (!trigger_.Accept(image.stamp_ns)) return;
+      gate_.SetOpen(false);
+    }
+  }
+  publish_worker_.Push(std::move(image));
+}
+
+void DriverImages::OnLink(ImageLink link, const std::string& reason) {
+  if (link == ImageLink::kDown) {
+    ROS_WARN_STREAM_NAMED("images", "no images: " << reason);
+  } else {
+    ROS_INFO_STREAM_NAMED("images", "images by " << NameOf(link));
+  }
+  MutexLock lock(mutex_);
+  link_ = link;
+  reason_ = reason;
+}
+
+ImageLink DriverImages::Link() const {
+  MutexLock lock(mutex_);
+  return link_;
+}
+
+uint64_t DriverImages::NumDropped() const {
+  const ImageCounters& counters = reader_.Counters();
+  return counters.num_truncated + counters.num_corrupt + counters.num_too_large +
+         publish_worker_.NumDropped();
+}
+
+ImagesState DriverImages::TakeState() {
+  ImagesState state;
+  state.num_published = NumPublished();
+  state.num_dropped = publish_worker_.NumDropped();
+  MutexLock lock(mutex_);
+  state.link = link_;
+  state.reason = reason_;
+  state.figures = statistics_.Take();
+  return state;
+}
+
+}  // namespace rovio_sfm

@@ -1,0 +1,182 @@
+#include "rovio_sfm/ros/driver_motion.h"
+
+#include <nav_msgs/Odometry.h>
+#include <ros/console.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "rovio_sfm/ros/driver_odometry_message.h"
+#include "rovio_sfm/ros/topics.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr double kDriveTickS = 0.025;     // how exactly the repeat period is kept
+constexpr double kCommandTimeoutS = 1.0;  // a stop must not wait longer behind a lost command
+
+int64_t SteadyNs() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+int64_t RosNs() { return static_cast<int64_t>(ros::Time::now().toNSec()); }
+
+CurlTransportOptions CommandOptions(CurlTransportOptions http) {
+  http.total_timeout_s = std::min(http.total_timeout_s, kCommandTimeoutS);
+  return http;
+}
+
+bool HasTicks(const McuReport& mcu) {
+  return std::any_of(mcu.wheels.begin(), mcu.wheels.end(),
+                     [](const WheelTicks& wheel) { return wheel.ticks > 0; });
+}
+
+}  // namespace
+
+DriverMotion::DriverMotion(const ros::NodeHandle& handle, const DriverOptions& options,
+                           const Credentials& credentials, OnMotion on_motion)
+    : handle_(handle),
+      options_(options),
+      on_motion_(std::move(on_motion)),
+      odom_(handle_.advertise<nav_msgs::Odometry>(topics::kOdom, topics::kOdomQueue)),
+      odometry_(options.odometry),
+      drive_transport_(CommandOptions(options.http), credentials),
+      report_transport_(options.http, credentials),
+      drive_loop_(options.drive, &drive_transport_,
+                  [this](const DriveCommand& command, const RobotOutcome& outcome) {
+                    OnCommand(command, outcome);
+                  }),
+      report_loop_(options.reports, &report_transport_, MakeReportCallbacks()),
+      twist_subscriber_(handle_.subscribe(topics::kCmdVel, topics::kCmdVelQueue,
+                                          &DriverMotion::OnTwist, this,
+                                          ros::TransportHints().tcpNoDelay())) {
+  if (options_.publish_tf) {
+    static_broadcaster_.sendTransform(ToTransformMessage(CameraLinkFromOptical(), ros::Time::now(),
+                                                         options_.frames.camera_link,
+                                                         options_.frames.camera_optical));
+  }
+  StartTimers();
+}
+
+DriverMotion::~DriverMotion() {
+  twist_subscriber_.shutdown();
+  for (ros::SteadyTimer* const timer : {&drive_timer_, &mcu_timer_, &report_timer_}) timer->stop();
+  drive_loop_.Shutdown();
+  report_transport_.Cancel();
+  report_loop_.Finish();
+}
+
+void DriverMotion::StartTimers() {
+  const auto every = [this](double seconds, auto tick) {
+    return handle_.createSteadyTimer(ros::WallDuration(seconds),
+                                     [tick](const ros::SteadyTimerEvent&) { tick(); });
+  };
+  drive_timer_ = every(kDriveTickS, [this] { drive_loop_.Tick(SteadyNs()); });
+  mcu_timer_ = every(1.0 / options_.mcu_rate_hz, [this] { report_loop_.PollMcu(); });
+  report_timer_ = every(1.0 / options_.report_rate_hz, [this] { report_loop_.PollReport(); });
+}
+
+ReportLoop::Callbacks DriverMotion::MakeReportCallbacks() {
+  ReportLoop::Callbacks callbacks;
+  callbacks.on_mcu = [this](const McuReport& mcu, int64_t stamp_ns) { OnMcu(mcu, stamp_ns); };
+  callbacks.on_lost_mcu = [this] {
+    if (drive_loop_.IsMoving()) odometry_.AddLostReading(1.0 / options_.mcu_rate_hz);
+    MutexLock lock(mutex_);
+    ++state_.num_lost_readings;
+  };
+  callbacks.on_report = [this](const RobotReport& report) {
+    MutexLock lock(mutex_);
+    state_.report = report;
+    report_came_.notify_all();
+  };
+  callbacks.on_link = [this](bool is_up, const std::string& reason) { OnLink(is_up, reason); };
+  callbacks.on_settings = [](bool has_obeyed, const std::string& settings) {
+    if (has_obeyed) {
+      ROS_INFO_STREAM_NAMED("settings", "camera: " << settings);
+    } else {
+      ROS_WARN_STREAM_NAMED("settings", "the robot did not take the settings; it has " << settings);
+    }
+  };
+  callbacks.now_ns = RosNs;
+  return callbacks;
+}
+
+void DriverMotion::OnTwist(const geometry_msgs::Twist& twist) {
+  drive_loop_.SetWish({twist.linear.x, twist.linear.y, twist.angular.z}, SteadyNs());
+}
+
+void DriverMotion::OnCommand(const DriveCommand& command, const RobotOutcome& outcome) {
+  if (command.code != DriveCode::kStop) on_motion_(true, RosNs());
+  MutexLock lock(mutex_);
+  ++state_.num_commands;
+  if (!outcome.IsOk()) {
+    ++state_.num_failed_commands;
+    if (state_.last_command_fault.empty()) {
+      ROS_WARN_STREAM_NAMED("drive", "a drive command failed: " << outcome.message);
+    }
+  }
+  state_.last_command_fault = outcome.message;
+}
+
+void DriverMotion::OnMcu(const McuReport& mcu, int64_t stamp_ns) {
+  // The first reading holds what happened before this node began.
+  const BaseMotion motion = is_odometry_begun_ ? odometry_.Add(mcu.wheels) : BaseMotion::Zero();
+  const bool has_moved = is_odometry_begun_ && HasTicks(mcu);
+  is_odometry_begun_ = true;
+  PublishPose(mcu, motion, stamp_ns);
+  const bool is_moving = has_moved || drive_loop_.IsMoving();
+  on_motion_(is_moving, RosNs());
+  MutexLock lock(mutex_);
+  state_.mcu = mcu;
+  state_.is_moving = is_moving;
+}
+
+void DriverMotion::PublishPose(const McuReport& mcu, const BaseMotion& motion, int64_t stamp_ns) {
+  ros::Time stamp;
+  stamp.fromNSec(static_cast<uint64_t>(stamp_ns));
+  BaseTwist twist;
+  const double interval_s = static_cast<double>(stamp_ns - last_mcu_ns_) * 1e-9;
+  last_mcu_ns_ = stamp_ns;
+  if (interval_s > 0.0) {
+    twist.velocity = motion / interval_s;
+    twist.sigma = options_.odometry.tick_sigma / options_.odometry.ticks_per_m / interval_s;
+  }
+  const DriverFrames& frames = options_.frames;
+  odom_.publish(ToOdometryMessage(odometry_.State(), twist, stamp, frames.odom, frames.base));
+  if (!options_.publish_tf) return;
+  broadcaster_.sendTransform(
+      {ToTransformMessage(OdomFromBase(odometry_.State()), stamp, frames.odom, frames.base),
+       ToTransformMessage(BaseFromCameraLink(mcu.head_position, options_.head), stamp, frames.base,
+                          frames.camera_link)});
+}
+
+void DriverMotion::OnLink(bool is_up, const std::string& reason) {
+  if (is_up) {
+    ROS_INFO_STREAM_NAMED("link", "the robot at " << options_.http.host << " answers");
+  } else {
+    ROS_WARN_STREAM_NAMED("link", "the robot at " << options_.http.host << " is away: " << reason);
+  }
+  MutexLock lock(mutex_);
+  state_.is_up = is_up;
+  state_.reason = reason;
+}
+
+RobotState DriverMotion::State() const {
+  MutexLock lock(mutex_);
+  return state_;
+}
+
+bool DriverMotion::WaitForReport(double seconds,
+                                 const std::function<bool(const RobotReport&)>& condition) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  MutexLock lock(mutex_);
+  while (!state_.report || !condition(*state_.report)) {
+    if (report_came_.wait_until(mutex_, end) == std::cv_status::timeout) return false;
+  }
+  return true;
+}
+
+}  // namespace rovio_sfm
