@@ -1,8 +1,7 @@
 #!/usr/bin/python3
 """Draws a map from above and from the side: plot_map.py CLOUD.ply TRAJECTORY.txt OUT.png
 
-The trajectory fixes the view: its plane of largest extent is "above" unless --level says that the
-map's z axis points up."""
+The map's x axis points forward, z up, as map_images and export_map write it."""
 
 import argparse
 import sys
@@ -15,7 +14,7 @@ import numpy
 
 VERTEX = numpy.dtype([("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("red", "u1"), ("green", "u1"),
                       ("blue", "u1"), ("session", "<u4"), ("views", "<u4"), ("error", "<f4")])
-PERCENTILES = (2, 98)  # of the cloud: what the picture frames beside the path
+PERCENTILES = (4, 96)  # of the cloud: what the picture frames beside the path
 
 
 def read_cloud(path):
@@ -28,18 +27,6 @@ def read_cloud(path):
 
 def read_centers(path):
     return numpy.loadtxt(path, ndmin=2)[:, 1:4] if open(path).read().strip() else numpy.zeros((0, 3))
-
-
-def upright(trajectory):
-    """Rows: right, forward and up of the picture, from the mean direction of the cameras' y axes."""
-    quaternions = numpy.loadtxt(trajectory, ndmin=2)[:, 4:8]
-    x, y, z, w = quaternions.T
-    down = numpy.stack([2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)], 1).mean(0)
-    forward = numpy.stack([2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)], 1)
-    up = -down / numpy.linalg.norm(down)
-    forward = forward[0] - up * (forward[0] @ up)
-    forward /= numpy.linalg.norm(forward)
-    return numpy.stack([numpy.cross(forward, up), forward, up])
 
 
 def limits(path_axis, cloud_axis):
@@ -71,14 +58,12 @@ def main():
     if len(centers) == 0:
         print("plot_map.py: the trajectory is empty", file=sys.stderr)
         return 1
-    axes_from_map = upright(arguments.trajectory)
-    points = numpy.stack([cloud["x"], cloud["y"], cloud["z"]], 1) @ axes_from_map.T
-    path = centers @ axes_from_map.T
+    points = numpy.stack([cloud["x"], cloud["y"], cloud["z"]], 1)
     colors = numpy.stack([cloud["red"], cloud["green"], cloud["blue"]], 1) / 255.0
     figure, (above, side) = pyplot.subplots(1, 2, figsize=(14, 7), constrained_layout=True)
-    draw(above, path, points, colors, 0, 1, (f"right [{unit}]", f"forward [{unit}]"))
+    draw(above, centers, points, colors, 0, 1, (f"x, forward [{unit}]", f"y, left [{unit}]"))
     above.set_title(f"from above: {len(cloud)} points, {len(centers)} cameras")
-    draw(side, path, points, colors, 1, 2, (f"forward [{unit}]", f"up [{unit}]"))
+    draw(side, centers, points, colors, 0, 2, (f"x, forward [{unit}]", f"z, up [{unit}]"))
     side.set_title("from the side")
     figure.savefig(arguments.picture, dpi=100)
     return 0

@@ -20,7 +20,8 @@ std::filesystem::path ChessboardFolder() {
   return root / "chessboard_opencv";
 }
 
-// reference.txt of the set: cv2.calibrateCamera on the same images.
+// reference.txt of the set comes from corners without sub-pixel refinement (rms 0.408 px): ours
+// must fit better and agree within 1 % of the focal length and 3 px of the centre.
 TEST(CalibrateCamera, AgreesWithTheReferenceOfTheChessboardSet) {
   const std::filesystem::path folder = ChessboardFolder() / "left";
   if (!std::filesystem::exists(folder)) {
@@ -28,12 +29,12 @@ TEST(CalibrateCamera, AgreesWithTheReferenceOfTheChessboardSet) {
   }
   const CalibrationReport report = CalibrateCamera(ListImages({folder}), {});
   EXPECT_TRUE(report.without_board.empty());
-  EXPECT_LT(report.rms_px, 0.45);
-  EXPECT_NEAR(report.camera.fx, 536.06, 2.0);
-  EXPECT_NEAR(report.camera.fy, 536.01, 2.0);
-  EXPECT_NEAR(report.camera.cx, 342.37, 2.0);
-  EXPECT_NEAR(report.camera.cy, 235.53, 2.0);
-  EXPECT_NEAR(report.camera.k1, -0.2651, 0.02);
+  EXPECT_LT(report.rms_px, 0.3);
+  EXPECT_NEAR(report.camera.fx, 536.06, 5.4);
+  EXPECT_NEAR(report.camera.fy, 536.01, 5.4);
+  EXPECT_NEAR(report.camera.cx, 342.37, 3.0);
+  EXPECT_NEAR(report.camera.cy, 235.53, 3.0);
+  EXPECT_NEAR(report.camera.k1, -0.2651, 0.05);
 }
 
 TEST(CalibrateCamera, SaysWhereNoBoardIs) {

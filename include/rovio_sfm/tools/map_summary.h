@@ -1,0 +1,36 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/io/trajectory_file.h"
+#include "rovio_sfm/pipeline/frontend.h"
+#include "rovio_sfm/pipeline/mapper_report.h"
+#include "rovio_sfm/scene/map_snapshot.h"
+#include "rovio_sfm/util/stage_times.h"
+
+namespace rovio_sfm {
+
+// A finished run over image folders.
+struct MapRun {
+  size_t num_images = 0;  // in the folders, after the stride
+  std::shared_ptr<const MapSnapshot> snapshot;
+  FrontendCounters frontend;
+  MapperCounters mapper;
+  std::map<std::string, StageTimes::Total> stages;
+  std::map<std::string, std::vector<StampedPose>> ground_truth;  // by robot; may lack some
+  double wall_s = 0.0;
+  double peak_rss_mb = 0.0;
+};
+
+// The figures of summary.json by the definitions of docs/benchmarks.md, units in the names; null
+// for what is not known.
+nlohmann::ordered_json MapSummaryJson(const MapRun& run);
+
+// The greatest memory of this process so far, MB.
+double PeakRssMb();
+
+}  // namespace rovio_sfm

@@ -1,0 +1,13 @@
+#include <exception>
+#include <iostream>
+
+#include "rovio_sfm/tools/map_images.h"
+
+int main(int argc, char** argv) {
+  try {
+    return rovio_sfm::MapImagesCommand(argc, argv, std::cout);
+  } catch (const std::exception& error) {
+    std::cerr << "map_images: " << error.what() << "\n";
+    return 1;
+  }
+}

@@ -1,0 +1,91 @@
+#include "rovio_sfm/pipeline/offline_mapper.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "rovio_sfm/util/option_checker.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr size_t kMappingQueue = 4;       // events; the frontend waits where mapping is behind
+constexpr size_t kPreparedPerThread = 4;  // images ahead of the frontend
+
+void Add(const FrontendCounters& more, FrontendCounters* sum) {
+  sum->images += more.images;
+  sum->refused += more.refused;
+  sum->spoilt += more.spoilt;
+  sum->featureless += more.featureless;
+  sum->untracked += more.untracked;
+  sum->keyframes += more.keyframes;
+  sum->light_frames += more.light_frames;
+  sum->drives += more.drives;
+  sum->links += more.links;
+}
+
+}  // namespace
+
+bool OfflineMapperOptions::IsValid(std::string* error) const {
+  OptionChecker checker("offline_mapper", error);
+  checker.Nested(frontend);
+  checker.Nested(mapper);
+  checker.Range("num_threads", num_threads, 1, 64);
+  return checker.Passed();
+}
+
+OfflineMapper::OfflineMapper(const OfflineMapperOptions& options, StageTimes* times)
+    : options_(options),
+      times_(times),
+      adjust_executor_(options.num_threads > 1 ? 1 : 0),
+      prepare_executor_(options.num_threads - 1),
+      mapper_(options.mapper, &store_, &adjust_executor_, times) {
+  if (options.num_threads == 1) return;
+  mapping_ = std::make_unique<Worker<FrameEvent>>(kMappingQueue, WhenFull::kBlock,
+                                                  [this](const FrameEvent& event) { Map(event); });
+}
+
+void OfflineMapper::StartDrive(const std::string& robot) {
+  FinishDrive();
+  frontend_.emplace(options_.frontend, robot, options_.seed, next_nonce_++, times_);
+}
+
+void OfflineMapper::Add(ImageEvent image) {
+  ROVIO_CHECK(frontend_.has_value(), "StartDrive comes before Add");
+  const size_t max_ahead = kPreparedPerThread * static_cast<size_t>(options_.num_threads - 1);
+  prepared_.push_back(prepare_executor_.Submit(
+      [image = std::move(image), &options = options_.frontend, times = times_] {
+        const auto scope = MeasureStage(times, "prepare");
+        return PrepareImage(image, options);
+      }));
+  while (prepared_.size() > max_ahead) TakeOldest();
+}
+
+void OfflineMapper::TakeOldest() {
+  const PreparedImage image = prepared_.front().get();
+  prepared_.pop_front();
+  std::optional<FrameEvent> event = frontend_->Add(image);
+  if (!event) return;
+  if (mapping_) {
+    mapping_->Push(std::move(*event));
+  } else {
+    Map(*event);
+  }
+}
+
+void OfflineMapper::Map(const FrameEvent& event) { mapper_.Add(event); }
+
+void OfflineMapper::FinishDrive() {
+  if (!frontend_) return;
+  while (!prepared_.empty()) TakeOldest();
+  rovio_sfm::Add(frontend_->counters(), &frontend_counters_);
+  frontend_.reset();
+}
+
+std::shared_ptr<const MapSnapshot> OfflineMapper::Finish() {
+  FinishDrive();
+  if (mapping_) mapping_->Finish();
+  mapper_.Finish();
+  return mapper_.Snapshot();
+}
+
+}  // namespace rovio_sfm

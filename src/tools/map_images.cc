@@ -1,0 +1,146 @@
+#include "rovio_sfm/tools/map_images.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+#include <ostream>
+#include <stdexcept>
+
+#include "rovio_sfm/io/dataset_folder.h"
+#include "rovio_sfm/io/text_file.h"
+#include "rovio_sfm/pipeline/offline_mapper.h"
+#include "rovio_sfm/tools/map_summary.h"
+#include "rovio_sfm/tools/write_map_files.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr uintmax_t kMaxImageBytes = 64u << 20;
+
+struct Arguments {
+  std::vector<std::string> folders;
+  std::string out;
+  size_t stride = 1;
+  std::string mode = "every";
+  bool without_odometry = false;
+  bool overwrite = false;
+  OfflineMapperOptions mapper;
+};
+
+int64_t SteadyNs() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+void Declare(Arguments* arguments, CLI::App* app) {
+  app->add_option("folders", arguments->folders, "folders of images, each one a drive")->required();
+  app->add_option("--out", arguments->out, "folder for the results")->required();
+  app->add_option("--stride", arguments->stride, "use every N-th image")
+      ->check(CLI::Range(1, 1000000));
+  app->add_option("--mode", arguments->mode, "every: stills; parallax: video")
+      ->check(CLI::IsMember({"every", "parallax"}));
+  app->add_option("--features", arguments->mapper.frontend.extract.max_features,
+                  "most features of an image");
+  app->add_option("--threads", arguments->mapper.num_threads, "never changes the result");
+  app->add_option("--seed", arguments->mapper.seed, "of everything random");
+  app->add_flag("--without-odometry", arguments->without_odometry, "map from the images alone");
+  app->add_flag("--overwrite", arguments->overwrite, "replace the results of an earlier run");
+}
+
+void CheckArguments(Arguments* arguments) {
+  arguments->mapper.frontend.choose.mode =
+      arguments->mode == "every" ? KeyframeMode::kEvery : KeyframeMode::kParallax;
+  arguments->mapper.mapper.seed = arguments->mapper.seed;
+  std::string error;
+  if (!arguments->mapper.IsValid(&error)) throw std::runtime_error(error);
+  const std::filesystem::path summary = std::filesystem::path(arguments->out) / "summary.json";
+  if (std::filesystem::exists(summary) && !arguments->overwrite) {
+    throw std::runtime_error(summary.string() + " exists; give --overwrite to replace it");
+  }
+  std::filesystem::create_directories(arguments->out);
+}
+
+std::vector<DatasetFolder> ReadFolders(const Arguments& arguments) {
+  std::vector<DatasetFolder> datasets;
+  for (const std::string& folder : arguments.folders) {
+    datasets.push_back(EveryNth(ReadDatasetFolder(folder), arguments.stride));
+  }
+  return datasets;
+}
+
+ImageEvent ReadImage(const DatasetFolder& dataset, const DatasetImage& image, bool with_odometry) {
+  ImageEvent event;
+  event.stamp_ns = image.stamp_ns;
+  event.name = image.name;
+  event.encoded =
+      std::make_shared<const std::vector<uint8_t>>(ReadBytes(image.path, kMaxImageBytes));
+  event.camera = dataset.camera;
+  event.base_from_camera = image.base_from_camera;
+  if (with_odometry) event.odometry = image.odometry;
+  return event;
+}
+
+MapRun MapFolders(const std::vector<DatasetFolder>& datasets, const Arguments& arguments) {
+  const int64_t start_ns = SteadyNs();
+  MapRun run;
+  StageTimes times(SteadyNs);
+  OfflineMapper mapper(arguments.mapper, &times);
+  for (size_t i = 0; i < datasets.size(); ++i) {
+    const std::string robot = "folder_" + std::to_string(i);
+    mapper.StartDrive(robot);
+    for (const DatasetImage& image : datasets[i].images) {
+      mapper.Add(ReadImage(datasets[i], image, !arguments.without_odometry));
+    }
+    run.num_images += datasets[i].images.size();
+    if (!datasets[i].ground_truth.empty()) run.ground_truth[robot] = datasets[i].ground_truth;
+  }
+  run.snapshot = mapper.Finish();
+  run.frontend = mapper.frontend_counters();
+  run.mapper = mapper.mapper_counters();
+  run.stages = times.totals();
+  run.wall_s = 1e-9 * static_cast<double>(SteadyNs() - start_ns);
+  run.peak_rss_mb = PeakRssMb();
+  return run;
+}
+
+void WriteResults(const MapRun& run, const Arguments& arguments, std::ostream& out) {
+  const Overwrite overwrite = arguments.overwrite ? Overwrite::kAllow : Overwrite::kRefuse;
+  nlohmann::ordered_json summary;
+  summary["folders"] = arguments.folders;
+  summary["options"] = {{"stride", arguments.stride},
+                        {"mode", arguments.mode},
+                        {"features", arguments.mapper.frontend.extract.max_features},
+                        {"threads", arguments.mapper.num_threads},
+                        {"seed", arguments.mapper.seed}};
+  summary.update(MapSummaryJson(run));
+  if (const auto map = FindLargestMap(*run.snapshot)) {
+    for (const auto& path : WriteMapFiles(*map, arguments.out, overwrite)) {
+      out << "wrote " << path.string() << "\n";
+    }
+  }
+  const std::filesystem::path path = std::filesystem::path(arguments.out) / "summary.json";
+  WriteFile(path, summary.dump(2) + "\n", overwrite);
+  out << "wrote " << std::filesystem::absolute(path).string() << "\n" << summary.dump(2) << "\n";
+}
+
+}  // namespace
+
+int MapImagesCommand(int argc, const char* const* argv, std::ostream& out) {
+  CLI::App app("Maps folders of images (data-set layout), each one as a drive, without ROS");
+  Arguments arguments;
+  Declare(&arguments, &app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, out, out);
+  }
+  cv::setNumThreads(1);  // the threads are ours
+  CheckArguments(&arguments);
+  const MapRun run = MapFolders(ReadFolders(arguments), arguments);
+  WriteResults(run, arguments, out);
+  return 0;
+}
+
+}  // namespace rovio_sfm

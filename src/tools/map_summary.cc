@@ -1,0 +1,130 @@
+#include "rovio_sfm/tools/map_summary.h"
+
+#include <sys/resource.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+
+#include "rovio_sfm/pipeline/evaluation.h"
+#include "rovio_sfm/pipeline/level_map.h"
+#include "rovio_sfm/pipeline/map_statistics.h"
+#include "rovio_sfm/tools/evaluation_json.h"
+
+namespace rovio_sfm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::optional<EvaluationReport> Evaluate(const LevelMap& map, const MapRun& run,
+                                         bool only_keyframes) {
+  std::map<std::string, DriveEvaluation> drives;
+  for (const PosedImage& image : PosedImages(map)) {
+    if (only_keyframes && image.kind != FrameKind::kKeyframe) continue;
+    const auto truth = run.ground_truth.find(image.id.drive.robot);
+    if (truth == run.ground_truth.end()) continue;
+    DriveEvaluation& drive = drives[image.id.drive.robot];
+    drive.ground_truth = truth->second;
+    drive.estimate.push_back(image.level_from_camera);
+  }
+  std::vector<DriveEvaluation> list;
+  for (const auto& [robot, drive] : drives) list.push_back(drive);
+  return EvaluateTrajectories(list, {});
+}
+
+void AddFrames(const MapRun& run, Json* json) {
+  (*json)["frames"] = run.num_images;
+  (*json)["keyframes"] = run.frontend.keyframes;
+  (*json)["light_frames"] = run.frontend.light_frames;
+  (*json)["dropped"] = run.num_images - run.frontend.keyframes - run.frontend.light_frames;
+}
+
+void AddSessions(const MapSnapshot& snapshot, Json* json) {
+  std::set<uint32_t> maps;
+  size_t num_sessions = 0;
+  for (const SessionSnapshot& session : snapshot.sessions) {
+    if (session.frames.empty()) continue;
+    ++num_sessions;
+    maps.insert(session.map.value);
+  }
+  (*json)["sessions"] = num_sessions;
+  (*json)["maps"] = maps.size();
+}
+
+void AddStatistics(const MapStatistics& statistics, Json* json) {
+  (*json)["registered"] = statistics.registered;
+  (*json)["registered_keyframes"] = statistics.registered_keyframes;
+  (*json)["landmarks"] = statistics.landmarks;
+  (*json)["landmarks_two_views"] = statistics.landmarks_two_views;
+  (*json)["landmarks_over_three_views"] = statistics.landmarks_over_three_views;
+  (*json)["projections"] = statistics.projections;
+  (*json)["mean_error_px"] = statistics.mean_error_px;
+  (*json)["rms_px"] = statistics.rms_px;
+  (*json)["rms_n"] = statistics.rms_n;
+}
+
+// The scale that the map reports, and whether the true one lies within twice its sigma.
+void AddScale(const std::optional<LevelMap>& map, const std::optional<EvaluationReport>& report,
+              Json* json) {
+  const bool metric = map && map->scale;
+  (*json)["metric"] = metric;
+  (*json)["scale_source"] = metric ? Json(map->scale->source) : Json();
+  (*json)["scale_sigma"] = metric ? Json(map->scale->sigma_log) : Json();
+  (*json)["scale_error"] = metric && report ? Json(report->scale_error) : Json();
+  (*json)["scale_inside_two_sigma"] =
+      metric && report
+          ? Json(std::abs(std::log(report->world_from_map.scale)) <= 2.0 * map->scale->sigma_log)
+          : Json();
+}
+
+void AddErrors(const std::optional<LevelMap>& map, const MapRun& run, Json* json) {
+  const auto all = map ? Evaluate(*map, run, false) : std::nullopt;
+  const auto keyframes = map ? Evaluate(*map, run, true) : std::nullopt;
+  (*json)["ate_rmse_m"] = all ? Json(all->ate_rmse_m) : Json();
+  (*json)["ate_rmse_keyframes_m"] = keyframes ? Json(keyframes->ate_rmse_m) : Json();
+  (*json)["rotation_rmse_deg"] = all ? Json(all->rotation_rmse_deg) : Json();
+  (*json)["path_length_m"] = all ? Json(all->path_length_m) : Json();
+  AddScale(map, all, json);
+  (*json)["evaluation"] = all ? EvaluationJson(*all, map->scale.has_value()) : Json();
+}
+
+void AddCosts(const MapRun& run, Json* json) {
+  (*json)["wall_s"] = run.wall_s;
+  Json stages = Json::object();
+  for (const auto& [stage, total] : run.stages) {
+    stages[stage] =
+        1e-6 * static_cast<double>(total.total_ns) / static_cast<double>(run.num_images);
+  }
+  (*json)["ms_per_frame"] = stages;
+  (*json)["peak_rss_mb"] = run.peak_rss_mb;
+}
+
+Json MapperJson(const MapperCounters& counters) {
+  return {{"weak_frames", counters.weak_frames},
+          {"refused_events", counters.refused_events},
+          {"lost_sessions", counters.lost_sessions},
+          {"global_adjustments", counters.global_adjustments}};
+}
+
+}  // namespace
+
+Json MapSummaryJson(const MapRun& run) {
+  const std::optional<LevelMap> map = FindLargestMap(*run.snapshot);
+  Json json;
+  AddFrames(run, &json);
+  AddStatistics(map ? ComputeMapStatistics(*map) : MapStatistics(), &json);
+  AddSessions(*run.snapshot, &json);
+  AddErrors(map, run, &json);
+  json["mapper"] = MapperJson(run.mapper);
+  AddCosts(run, &json);
+  return json;
+}
+
+double PeakRssMb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+}  // namespace rovio_sfm

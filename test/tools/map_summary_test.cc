@@ -1,0 +1,76 @@
+#include "rovio_sfm/tools/map_summary.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/small_snapshot.h"
+#include "rovio_sfm/pipeline/level_map.h"
+
+namespace rovio_sfm {
+namespace {
+
+// A run over ten images of which nine were accepted and seven registered, on a bent path.
+MapRun SmallRun() {
+  SessionSnapshot session = SmallSession(1, 8, {SmallLandmark(1, 4, 0.001)});
+  FrameBlock frames = *session.frames.front();
+  for (FrameSnapshot& frame : frames) {
+    frame.cam_from_session.translation.y() = 0.1 * frame.index * frame.index;
+  }
+  session.frames = {std::make_shared<const FrameBlock>(frames)};
+  MapSnapshot snapshot;
+  snapshot.sessions = {session};
+  MapRun run;
+  run.num_images = 10;
+  run.snapshot = std::make_shared<const MapSnapshot>(snapshot);
+  run.frontend.keyframes = 4;
+  run.frontend.light_frames = 5;
+  run.stages["match"] = {10, 50'000'000};
+  return run;
+}
+
+TEST(MapSummaryJson, CountsImagesAndLeavesOutWhatIsNotKnown) {
+  const auto json = MapSummaryJson(SmallRun());
+  EXPECT_EQ(json["frames"], 10);
+  EXPECT_EQ(json["dropped"], 1);
+  EXPECT_EQ(json["registered"], 7);
+  EXPECT_EQ(json["sessions"], 1);
+  EXPECT_EQ(json["landmarks"], 1);
+  EXPECT_TRUE(json["ate_rmse_m"].is_null());
+  EXPECT_TRUE(json["scale_error"].is_null());
+  EXPECT_EQ(json["ms_per_frame"]["match"], 5.0);
+}
+
+TEST(MapSummaryJson, ComparesAMetricMapWithTheTruth) {
+  MapRun run = SmallRun();
+  for (const PosedImage& image : PosedImages(*FindLargestMap(*run.snapshot))) {
+    StampedPose truth = image.level_from_camera;
+    truth.reference_from_body.translation *= 1.1;
+    run.ground_truth["rovio"].push_back(truth);
+  }
+  EXPECT_NEAR(MapSummaryJson(run)["ate_rmse_m"].get<double>(), 0.0, 1e-9);
+  EXPECT_TRUE(MapSummaryJson(run)["scale_error"].is_null());
+  MapSnapshot metric = *run.snapshot;
+  metric.sessions[0].scale = MapScale{1.0, 0.02, "odometry"};
+  run.snapshot = std::make_shared<const MapSnapshot>(metric);
+  EXPECT_NEAR(MapSummaryJson(run)["scale_error"].get<double>(), 0.1, 1e-9);
+  EXPECT_EQ(MapSummaryJson(run)["scale_inside_two_sigma"], false);
+  metric.sessions[0].scale->sigma_log = 0.06;
+  run.snapshot = std::make_shared<const MapSnapshot>(metric);
+  EXPECT_EQ(MapSummaryJson(run)["scale_inside_two_sigma"], true);
+}
+
+TEST(MapSummaryJson, SurvivesARunWithoutAnyMap) {
+  MapRun run;
+  run.num_images = 3;
+  run.snapshot = std::make_shared<const MapSnapshot>();
+  const auto json = MapSummaryJson(run);
+  EXPECT_EQ(json["registered"], 0);
+  EXPECT_EQ(json["maps"], 0);
+  EXPECT_EQ(json["dropped"], 3);
+}
+
+TEST(PeakRssMb, IsSomething) { EXPECT_GT(PeakRssMb(), 1.0); }
+
+}  // namespace
+}  // namespace rovio_sfm
