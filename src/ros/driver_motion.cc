@@ -49,7 +49,11 @@ DriverMotion::DriverMotion(const ros::NodeHandle& handle, const DriverOptions& o
                   [this](const DriveCommand& command, const RobotOutcome& outcome) {
                     OnCommand(command, outcome);
                   }),
-      report_loop_(options.reports, &report_transport_, MakeReportCallbacks()),
+      reporter_(options.reports, &report_transport_, MakeReporterCallbacks()),
+      report_worker_(2, WhenFull::kDropOldest,
+                     [this](Question question) {
+                       question == Question::kMcu ? reporter_.AskMcu() : reporter_.AskReport();
+                     }),
       twist_subscriber_(handle_.subscribe(topics::kCmdVel, topics::kCmdVelQueue,
                                           &DriverMotion::OnTwist, this,
                                           ros::TransportHints().tcpNoDelay())) {
@@ -66,7 +70,7 @@ DriverMotion::~DriverMotion() {
   for (ros::SteadyTimer* const timer : {&drive_timer_, &mcu_timer_, &report_timer_}) timer->stop();
   drive_loop_.Shutdown();
   report_transport_.Cancel();
-  report_loop_.Finish();
+  report_worker_.Stop();
 }
 
 void DriverMotion::StartTimers() {
@@ -75,12 +79,13 @@ void DriverMotion::StartTimers() {
                                      [tick](const ros::SteadyTimerEvent&) { tick(); });
   };
   drive_timer_ = every(kDriveTickS, [this] { drive_loop_.Tick(SteadyNs()); });
-  mcu_timer_ = every(1.0 / options_.mcu_rate_hz, [this] { report_loop_.PollMcu(); });
-  report_timer_ = every(1.0 / options_.report_rate_hz, [this] { report_loop_.PollReport(); });
+  mcu_timer_ = every(1.0 / options_.mcu_rate_hz, [this] { report_worker_.Push(Question::kMcu); });
+  report_timer_ =
+      every(1.0 / options_.report_rate_hz, [this] { report_worker_.Push(Question::kReport); });
 }
 
-ReportLoop::Callbacks DriverMotion::MakeReportCallbacks() {
-  ReportLoop::Callbacks callbacks;
+RobotReporter::Callbacks DriverMotion::MakeReporterCallbacks() {
+  RobotReporter::Callbacks callbacks;
   callbacks.on_mcu = [this](const McuReport& mcu, int64_t stamp_ns) { OnMcu(mcu, stamp_ns); };
   callbacks.on_lost_mcu = [this] {
     if (drive_loop_.IsMoving()) odometry_.AddLostReading(1.0 / options_.mcu_rate_hz);

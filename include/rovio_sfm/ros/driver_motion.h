@@ -46,7 +46,9 @@ class DriverMotion {
       EXCLUDES(mutex_);
 
  private:
-  ReportLoop::Callbacks MakeReportCallbacks();
+  enum class Question { kMcu, kReport };
+
+  RobotReporter::Callbacks MakeReporterCallbacks();
   void OnTwist(const geometry_msgs::Twist& twist);
   void OnCommand(const DriveCommand& command, const RobotOutcome& outcome) EXCLUDES(mutex_);
   void OnMcu(const McuReport& mcu, int64_t stamp_ns) EXCLUDES(mutex_);
@@ -69,7 +71,9 @@ class DriverMotion {
   CurlTransport drive_transport_;
   CurlTransport report_transport_;
   DriveLoop drive_loop_;
-  ReportLoop report_loop_;
+  RobotReporter reporter_;  // of the report worker
+  // Two questions wait at most; older ones are dropped: a slow robot is not asked faster.
+  Worker<Question> report_worker_;
   ros::Subscriber twist_subscriber_;
   ros::SteadyTimer drive_timer_;
   ros::SteadyTimer mcu_timer_;

@@ -10,7 +10,7 @@
 #include "rovio_sfm/rovio/head_geometry.h"
 #include "rovio_sfm/rovio/image_reader.h"
 #include "rovio_sfm/rovio/omni_odometry.h"
-#include "rovio_sfm/rovio/report_loop.h"
+#include "rovio_sfm/rovio/robot_reporter.h"
 #include "rovio_sfm/rovio/stationary_trigger.h"
 
 namespace rovio_sfm {
@@ -38,7 +38,7 @@ struct DriverOptions {
   double report_rate_hz = 1.0;  // of battery, settings, signals
   DriverFrames frames;
   ImageReaderOptions images;
-  ReportLoopOptions reports;
+  ReporterOptions reports;
   DriveOptions drive;
   OmniOdometryOptions odometry;
   HeadGeometryOptions head;

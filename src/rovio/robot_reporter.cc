@@ -1,10 +1,10 @@
-#include "rovio_sfm/rovio/report_loop.h"
+#include "rovio_sfm/rovio/robot_reporter.h"
 
 #include <utility>
 
 namespace rovio_sfm {
 
-bool ReportLoopOptions::IsValid(std::string* error) const {
+bool ReporterOptions::IsValid(std::string* error) const {
   if (wanted_settings && !wanted_settings->IsValid(error)) return false;
   if (!back_off.IsValid(error)) return false;
   if (max_failures >= 1) return true;
@@ -12,18 +12,17 @@ bool ReportLoopOptions::IsValid(std::string* error) const {
   return false;
 }
 
-ReportLoop::ReportLoop(const ReportLoopOptions& options, HttpTransport* transport,
-                       Callbacks callbacks)
+RobotReporter::RobotReporter(const ReporterOptions& options, HttpTransport* transport,
+                             Callbacks callbacks)
     : options_(options),
       callbacks_(std::move(callbacks)),
       client_(transport),
       settings_(options.wanted_settings),
-      back_off_(options.back_off),
-      worker_(2, WhenFull::kDropOldest, [this](Question question) { Ask(question); }) {}
+      back_off_(options.back_off) {}
 
-void ReportLoop::Ask(Question question) {
+void RobotReporter::Ask(RobotOutcome (RobotReporter::*fetch)()) {
   if (callbacks_.now_ns() < next_attempt_ns_) return;
-  const RobotOutcome outcome = question == Question::kMcu ? AskMcu() : AskReport();
+  const RobotOutcome outcome = (this->*fetch)();
   if (outcome.IsOk()) {
     NoteSuccess();
   } else {
@@ -32,7 +31,7 @@ void ReportLoop::Ask(Question question) {
 }
 
 // The ticks are those of about the middle of the call.
-RobotOutcome ReportLoop::AskMcu() {
+RobotOutcome RobotReporter::FetchMcu() {
   const int64_t asked_ns = callbacks_.now_ns();
   const RobotReply<McuReport> reply = client_.GetMcuReport();
   if (reply.value) {
@@ -43,7 +42,7 @@ RobotOutcome ReportLoop::AskMcu() {
   return reply.outcome;
 }
 
-RobotOutcome ReportLoop::AskReport() {
+RobotOutcome RobotReporter::FetchReport() {
   const RobotReply<RobotReport> reply = client_.GetReport();
   if (!reply.value) return reply.outcome;
   callbacks_.on_report(*reply.value);
@@ -51,7 +50,7 @@ RobotOutcome ReportLoop::AskReport() {
   return reply.outcome;
 }
 
-void ReportLoop::KeepSettings(const CameraSettings& present) {
+void RobotReporter::KeepSettings(const CameraSettings& present) {
   const SettingsKeeper::Step step = settings_.Next(present, callbacks_.now_ns());
   if (step == SettingsKeeper::Step::kRequest) {
     const RobotOutcome outcome = client_.RequestSettings(settings_.Wanted(), present);
@@ -61,7 +60,7 @@ void ReportLoop::KeepSettings(const CameraSettings& present) {
   }
 }
 
-void ReportLoop::NoteSuccess() {
+void RobotReporter::NoteSuccess() {
   num_failures_in_row_ = 0;
   back_off_.Reset();
   if (is_up_ == true) return;
@@ -69,7 +68,7 @@ void ReportLoop::NoteSuccess() {
   callbacks_.on_link(true, "the robot answers");
 }
 
-void ReportLoop::NoteFailure(const RobotOutcome& outcome) {
+void RobotReporter::NoteFailure(const RobotOutcome& outcome) {
   ++num_failures_;
   next_attempt_ns_ = callbacks_.now_ns() + static_cast<int64_t>(back_off_.NextDelaySeconds() * 1e9);
   if (++num_failures_in_row_ < options_.max_failures || is_up_ == false) return;

@@ -1,0 +1,47 @@
+#include "rovio_sfm/rovio/settings_keeper.h"
+
+#include <gtest/gtest.h>
+
+namespace rovio_sfm {
+namespace {
+
+using Step = SettingsKeeper::Step;
+constexpr int64_t kSecond = 1000000000;
+
+CameraSettings OtherSettings() {
+  CameraSettings settings;
+  settings.resolution = 2;
+  return settings;
+}
+
+TEST(SettingsKeeper, AsksOnceAndWaitsUntilTheRobotAgrees) {
+  SettingsKeeper keeper(CameraSettings{});
+  EXPECT_EQ(keeper.Next(OtherSettings(), 0), Step::kRequest);
+  keeper.MarkRequested(true, 0);
+  EXPECT_EQ(keeper.Next(OtherSettings(), 1 * kSecond), Step::kNothing);
+  EXPECT_EQ(keeper.Next(CameraSettings{}, 2 * kSecond), Step::kAgreed);
+  EXPECT_EQ(keeper.Next(OtherSettings(), 3 * kSecond), Step::kNothing);
+}
+
+TEST(SettingsKeeper, FindsOutThatTheRobotIgnoredIt) {
+  SettingsKeeper keeper(CameraSettings{});
+  keeper.Next(OtherSettings(), 0);
+  keeper.MarkRequested(true, 0);
+  EXPECT_EQ(keeper.Next(OtherSettings(), 6 * kSecond), Step::kRefused);
+  EXPECT_EQ(keeper.Next(OtherSettings(), 7 * kSecond), Step::kNothing);
+}
+
+TEST(SettingsKeeper, AsksAgainWhenTheRequestWasLost) {
+  SettingsKeeper keeper(CameraSettings{});
+  EXPECT_EQ(keeper.Next(OtherSettings(), 0), Step::kRequest);
+  keeper.MarkRequested(false, 0);
+  EXPECT_EQ(keeper.Next(OtherSettings(), 1 * kSecond), Step::kRequest);
+}
+
+TEST(SettingsKeeper, LeavesTheRobotAloneWhenNothingIsWanted) {
+  SettingsKeeper keeper(std::nullopt);
+  EXPECT_EQ(keeper.Next(OtherSettings(), 0), Step::kNothing);
+}
+
+}  // namespace
+}  // namespace rovio_sfm
