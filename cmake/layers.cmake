@@ -26,6 +26,7 @@ rovio_library(tracks   LINKS rovio_scene TEST_LINKS rovio_synthetic)
 rovio_library(sfm      LINKS rovio_scene ceres ${OPENCV} TEST_LINKS rovio_synthetic)
 rovio_library(io       LINKS rovio_scene ${OPENCV} PkgConfig::YAMLCPP TEST_LINKS rovio_synthetic)
 rovio_library(sim      LINKS rovio_geometry embree CLI11::CLI11 PkgConfig::YAMLCPP ${OPENCV})
+target_compile_definitions(rovio_sim PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
 rovio_library(pipeline LINKS rovio_features rovio_matching rovio_tracks rovio_sfm rovio_io
                        TEST_LINKS rovio_synthetic)

@@ -1,9 +1,14 @@
 #include "rovio_sfm/sim/run_rovio_sim.h"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
 #include <string>
 
+#include "rovio_sfm/sim/config_folder.h"
+#include "rovio_sfm/sim/render_tour.h"
 #include "rovio_sfm/sim/serve.h"
+#include "rovio_sfm/sim/serve_simulated_robot.h"
 
 namespace rovio_sfm::sim {
 namespace {
@@ -11,7 +16,11 @@ namespace {
 struct Arguments {
   std::string images;
   bool repeats = false;
+  bool serves = false;
+  std::string config_folder;
   ServeOptions serve;
+  ServeRobotOptions robot;   // tour, seed, noise and shutter of --serve
+  RenderTourOptions render;  // of --render
 };
 
 std::string ListQuirks() {
@@ -30,6 +39,41 @@ void AddServeArguments(CLI::App& app, Arguments* arguments) {
   app.add_option("--quirk", arguments->serve.quirks, ListQuirks());
 }
 
+void AddRenderArguments(CLI::App& app, Arguments* arguments) {
+  RenderTourOptions& render = arguments->render;
+  app.add_option("--render", render.tour, "Render this tour, as fast as it goes, into --out");
+  app.add_option("--out", render.out_folder, "Folder for the data set of --render");
+  app.add_flag("--overwrite", render.overwrite, "Write over a data set in --out");
+  app.add_option("--frames", render.max_frames, "Only the first so many pictures; 0: all");
+  app.add_option("--threads", render.num_threads, "Threads of --render")->default_val(1);
+  app.add_option("--config", arguments->config_folder, "Folder with worlds/ and tours/");
+  app.add_option("--seed", render.seed, "Of everything random")->default_val(1);
+  app.add_option("--noise", render.develop.noise_sigma, "Grey levels after decoding; 0: none")
+      ->default_val(render.develop.noise_sigma);
+  app.add_option("--samples", render.render.samples_per_side, "A pixel has this squared samples")
+      ->default_val(render.render.samples_per_side);
+  app.add_option("--rolling-shutter", render.render.rolling_share,
+                 "Share of the motion between first and last row, 0 … 0.9");
+}
+
+int ServeByArguments(Arguments* arguments) {
+  ServeRobotOptions& robot = arguments->robot;
+  robot.serve = arguments->serve;
+  robot.config_folder = FindConfigFolder(arguments->config_folder);
+  robot.seed = arguments->render.seed;
+  robot.render = arguments->render.render;
+  robot.develop = arguments->render.develop;
+  return ServeSimulatedRobot(robot);
+}
+
+int RenderByArguments(Arguments* arguments) {
+  arguments->render.config_folder = FindConfigFolder(arguments->config_folder);
+  const int count = RenderTour(arguments->render);
+  std::cout << count << " pictures of " << arguments->render.tour << " in "
+            << std::filesystem::absolute(arguments->render.out_folder).string() << std::endl;
+  return 0;
+}
+
 }  // namespace
 
 int RunRovioSim(int argc, const char* const* argv) {
@@ -37,7 +81,11 @@ int RunRovioSim(int argc, const char* const* argv) {
   CLI::App app{"A simulated WowWee Rovio"};
   app.add_option("--images", arguments.images, "Serve the images of this folder, in order");
   app.add_flag("--repeat", arguments.repeats, "With --images: begin again after the last");
+  app.add_flag("--serve", arguments.serves, "Serve a robot that drives through a world, real time");
+  app.add_option("--tour", arguments.robot.tour, "With --serve: world and start of this tour")
+      ->default_val("visionlab");
   AddServeArguments(app, &arguments);
+  AddRenderArguments(app, &arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -46,6 +94,8 @@ int RunRovioSim(int argc, const char* const* argv) {
   if (!arguments.images.empty()) {
     return ServeImages(arguments.serve, arguments.images, arguments.repeats);
   }
+  if (!arguments.render.tour.empty()) return RenderByArguments(&arguments);
+  if (arguments.serves) return ServeByArguments(&arguments);
   std::cerr << app.help();
   return 1;
 }
