@@ -1,0 +1,109 @@
+"""What every acceptance needs: running programs, mapping folders, and lines that hold or fall."""
+
+import json
+import os
+import pathlib
+import shutil
+import socket
+import subprocess
+import time
+from typing import Callable, NamedTuple
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+BUILD = pathlib.Path(os.environ.get("ROVIO_SFM_BUILD", ROOT / "build"))
+PROGRAMS = BUILD / "devel/lib/rovio_sfm"
+DATA = pathlib.Path(os.environ.get("ROVIO_SFM_DATA", ROOT / "../shared/data")).resolve()
+WORK = ROOT / "out/accept"  # everything written here may be deleted
+
+
+class Skipped(Exception):
+    """The line cannot be measured here; says why."""
+
+
+class Line(NamedTuple):
+    """One line of an issue's acceptance. check(quick) returns (holds, figures)."""
+    name: str
+    text: str
+    check: Callable[[bool], tuple[bool, str]]
+    quick: bool  # what the continuous integration can bear
+
+
+def run(*command, timeout_s=3600, check=True, **options):
+    """Runs a command and returns its standard output; the error says what failed, and how."""
+    words = [str(word) for word in command]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=timeout_s, check=False, **options)
+    if check and done.returncode != 0:
+        tail = (done.stdout + done.stderr).strip().splitlines()[-5:]
+        raise RuntimeError(f"{words[0]} ended with {done.returncode}: {' | '.join(tail)}")
+    return done.stdout
+
+
+def dataset(name):
+    folder = DATA / name
+    if not folder.exists():
+        raise Skipped(f"no data set {folder} (set ROVIO_SFM_DATA)")
+    return folder
+
+
+def fresh_folder(name):
+    folder = WORK / name
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def map_images(name, folders, *options):
+    """Maps folders into out/accept/NAME and returns summary.json."""
+    out = fresh_folder(name)
+    run(ROOT / "scripts/map_images", *folders, "--out", out, *options)
+    return json.loads((out / "summary.json").read_text())
+
+
+def render_tour(tour, noise, seed, max_frames=0):
+    """Renders a tour of the simulator; kept, and used again if it is there."""
+    folder = WORK / f"tours/{tour}_noise{noise}_seed{seed}_frames{max_frames or 'all'}"
+    if not (folder / "groundtruth.txt").exists():
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        run(PROGRAMS / "rovio_sim", "--render", tour, "--out", folder, "--noise", noise, "--seed", seed,
+            "--frames", max_frames, "--threads", os.cpu_count() or 1)
+    return folder
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class Simulator:
+    """A rovio_sim in the background, stopped on leaving."""
+
+    def __init__(self, *arguments):
+        self.port = free_port()
+        self.process = subprocess.Popen(
+            [str(PROGRAMS / "rovio_sim"), *map(str, arguments), "--port", str(self.port)],
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def __enter__(self):
+        deadline = time.monotonic() + 60
+        while time.monotonic() < deadline and self.process.poll() is None:
+            with socket.socket() as probe:
+                probe.settimeout(1.0)
+                if probe.connect_ex(("127.0.0.1", self.port)) == 0:
+                    return self
+            time.sleep(0.1)
+        self.__exit__()
+        raise RuntimeError("rovio_sim does not listen")
+
+    def __exit__(self, *_):
+        self.process.terminate()
+        try:
+            self.process.wait(10)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+
+
+def percent(part, whole):
+    return 100.0 * part / whole if whole else 0.0

@@ -1,0 +1,208 @@
+"""The acceptance of the first stage: from robot to map, one drive at a time."""
+
+import filecmp
+import json
+import os
+import re
+import subprocess
+
+from acceptance import robot_face
+from acceptance.common import (BUILD, PROGRAMS, ROOT, WORK, Line, Skipped, dataset, fresh_folder,
+                               map_images, percent, render_tour, run)
+
+TOURS = ("visionlab", "turntable", "industrialArea", "pipeline", "engineRoom0", "engineRoom1",
+         "turntable2")
+SEEDS = (1, 2, 3)
+SCALE_SEEDS = range(1, 21)
+STILLS = ("--mode", "every", "--features", "8000")
+
+
+def demo(_quick):
+    done = subprocess.run([str(ROOT / "scripts/demo"), "--no-install"], capture_output=True, text=True,
+                          timeout=1800, check=False)
+    summary = ROOT / "out/demo/demo.json"
+    figures = summary.read_text() if summary.exists() else done.stderr[-400:]
+    return done.returncode == 0, " ".join(figures.split())
+
+
+def tum_fr1_xyz(quick):
+    stride = 8 if quick else 1
+    s = map_images("tum_fr1_xyz", [dataset("tum_fr1_xyz")], "--mode", "parallax", "--stride", stride)
+    share, bound_m = percent(s["registered"], s["frames"]), 0.05 if quick else 0.018
+    figures = (f"{s['registered']} of {s['frames']} ({share:.1f} %), {s['sessions']} sessions, "
+               f"{metres(s['ate_rmse_m'])}, {s['wall_s']:.0f} s" + (" (every 8th, <= 5 cm)" if quick else ""))
+    return share >= 98 and s["sessions"] == 1 and at_most(s["ate_rmse_m"], bound_m), figures
+
+
+def fountain(_quick):
+    s = map_images("fountain", [dataset("strecha_fountain_p11")], *STILLS)
+    figures = f"{s['registered']} of {s['frames']}, {metres(s['ate_rmse_m'])}, {s['wall_s']:.0f} s"
+    return s["registered"] == s["frames"] == 11 and at_most(s["ate_rmse_m"], 0.008), figures
+
+
+def castle(_quick):
+    s = map_images("castle", [dataset("leuven_castle")], *STILLS)
+    landmarks = s["landmarks"] + s["landmarks_two_views"]
+    figures = (f"{s['registered']} of {s['frames']}, {landmarks} landmarks, "
+               f"{s['landmarks_over_three_views']} with more than three views, RMS_N {s['rms_n']:.3f}, "
+               f"{s['wall_s']:.0f} s")
+    return (s["registered"] == s["frames"] == 28 and landmarks >= 17660
+            and s["landmarks_over_three_views"] >= 9900 and s["rms_n"] <= 0.40), figures
+
+
+def tour(name, noise, quick):
+    """The worst of the seeds: registered share, error over the path, rotation, sessions."""
+    worst = {"registered": 100.0, "error": 0.0, "rotation": 0.0, "sessions": 1}
+    for seed in SEEDS[:1] if quick else SEEDS:
+        folder = render_tour(name, noise, seed)
+        s = map_images(f"maps/{name}_noise{noise}_seed{seed}", [folder])
+        error = percent(s["ate_rmse_m"], s["path_length_m"]) if s["ate_rmse_m"] is not None else 1e9
+        rotation = s["rotation_rmse_deg"] if s["rotation_rmse_deg"] is not None else 1e9
+        worst = {"registered": min(worst["registered"], percent(s["registered"], s["frames"])),
+                 "error": max(worst["error"], error), "rotation": max(worst["rotation"], rotation),
+                 "sessions": max(worst["sessions"], s["sessions"])}
+    return worst
+
+
+def tours(noise, min_registered, max_error, max_rotation, quick):
+    holds, parts = True, []
+    for name in TOURS[:1] if quick else TOURS:
+        w = tour(name, noise, quick)
+        good = (w["registered"] >= min_registered and w["error"] <= max_error
+                and w["rotation"] <= max_rotation and w["sessions"] == 1)
+        holds = holds and good
+        parts.append(f"{name} {w['registered']:.1f} % registered, {w['error']:.2f} % of the path, "
+                     f"{w['rotation']:.2f} deg, {w['sessions']} session{'s' * (w['sessions'] > 1)}"
+                     + ("" if good else " (falls)"))
+    return holds, "; ".join(parts)
+
+
+def tours_without_noise(quick):
+    return tours(0, 98, 0.4, float("inf"), quick)
+
+
+def tours_with_noise(quick):
+    return tours(10, 95, 1.2, 0.5, quick)
+
+
+def scale(_quick):
+    inside, errors = 0, []
+    for seed in SCALE_SEEDS:
+        s = map_images(f"maps/scale_seed{seed}", [render_tour("visionlab", 10, seed)])
+        inside += s["scale_inside_two_sigma"] is True
+        errors.append(s["scale_error"] if s["scale_error"] is not None else float("inf"))
+    return inside >= 18, f"{inside} of {len(errors)} seeds, worst scale error {100 * max(errors):.1f} %"
+
+
+def colmap(_quick):
+    holds, parts = True, []
+    for name in ("visionlab", "turntable"):
+        registered, frames = colmap_registers(render_tour(name, 0, 1))
+        holds = holds and registered >= 0.95 * frames
+        parts.append(f"{name} {registered} of {frames}")
+    return holds, ", ".join(parts)
+
+
+def colmap_registers(folder):
+    work = fresh_folder(f"colmap_{folder.name}")
+    (work / "sparse").mkdir(parents=True)
+    fx, fy, cx, cy, k1, k2, p1, p2, k3 = calibration(folder)[:9]
+    database = ("--database_path", work / "database.db")
+    offscreen = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
+    run("colmap", "feature_extractor", *database, "--image_path", folder / "images",
+        "--ImageReader.single_camera", 1, "--ImageReader.camera_model", "FULL_OPENCV",
+        "--ImageReader.camera_params", f"{fx},{fy},{cx},{cy},{k1},{k2},{p1},{p2},{k3},0,0,0",
+        "--SiftExtraction.use_gpu", 0, env=offscreen)
+    run("colmap", "sequential_matcher", *database, "--SequentialMatching.overlap", 10,
+        "--SiftMatching.use_gpu", 0, env=offscreen)
+    run("colmap", "mapper", *database, "--image_path", folder / "images", "--output_path",
+        work / "sparse", "--Mapper.ba_refine_focal_length", 0, "--Mapper.ba_refine_extra_params", 0,
+        "--Mapper.max_extra_param", 10, env=offscreen, check=False)
+    counts = [0]
+    for model in sorted((work / "sparse").iterdir()):
+        done = subprocess.run(["colmap", "model_analyzer", "--path", str(model)], capture_output=True,
+                              text=True, check=True)
+        counts += map(int, re.findall(r"Registered images: (\d+)", done.stdout + done.stderr))
+    return max(counts), len(list((folder / "images").iterdir()))
+
+
+def calibration(folder):
+    lines = (folder / "calibration.txt").read_text().splitlines()
+    return next(line for line in lines if line and not line.startswith("#")).split()
+
+
+def audit(_quick):
+    out = run(PROGRAMS / "rovio_sim", "--audit", "visionlab", check=False)
+    return "falls" not in out and bool(out.strip()), " ".join(out.split())[-600:]
+
+
+def replay(quick):
+    """Once as it is, twice more with another number of threads, the last beside a busy process."""
+    if not (PROGRAMS / "replay").exists():
+        raise Skipped("the program replay is not built")
+    bag = fresh_folder("replay.bag")
+    bag.unlink(missing_ok=True)
+    run(PROGRAMS / "images_to_bag", dataset("tum_fr1_xyz"), "--out", bag,
+        *(("--stride", 8) if quick else ()))
+    outs = [replay_once(bag, "first", 1), replay_once(bag, "second", 2)]
+    with subprocess.Popen(["sh", "-c", "while :; do :; done"]) as busy:
+        try:
+            outs.append(replay_once(bag, "busy", 2))
+        finally:
+            busy.kill()
+    same = all(filecmp.cmp(outs[0] / name, other / name, shallow=False)
+               for other in outs[1:] for name in ("trajectory.txt", "cloud.ply"))
+    poses = sum(1 for line in (outs[0] / "trajectory.txt").open() if not line.startswith("#"))
+    adjustments = json.loads((outs[0] / "summary.json").read_text())["mapper"]["global_adjustments"]
+    return same and poses > 0 and adjustments > 0, (
+        f"three runs {'equal' if same else 'DIFFER'}, {poses} poses, {adjustments} global adjustments")
+
+
+def replay_once(bag, name, threads):
+    out = fresh_folder(f"replay_{name}")
+    run(PROGRAMS / "replay", bag, "--out", out, "--threads", threads, "--mode", "parallax")
+    return out
+
+
+def driver_faults(_quick):
+    """The node test of the driver against every fault switch of the simulator."""
+    done = subprocess.run(["ctest", "-R", "driver_faults", "--output-on-failure"], cwd=BUILD,
+                          capture_output=True, text=True, check=False)
+    found = "No tests were found" not in done.stdout + done.stderr
+    tail = [line.strip() for line in done.stdout.splitlines() if line.strip()][-4:]
+    return done.returncode == 0 and found, " ".join(tail)
+
+
+def screenshot(_quick):
+    picture = ROOT / "docs/rviz.png"
+    run(ROOT / "scripts/screenshot", "--no-install", timeout_s=1800)
+    return picture.exists(), f"{picture.name}, {picture.stat().st_size // 1024} kB: look at it"
+
+
+def metres(value):
+    return "no error known" if value is None else f"{100 * value:.2f} cm"
+
+
+def at_most(value, bound):
+    return value is not None and value <= bound
+
+
+LINES = [
+    Line("demo", "demo: >= 95 % of keyframes, error <= 1.5 % of the path, scale within 10 %", demo, False),
+    Line("tum_fr1_xyz", "tum_fr1_xyz: >= 98 % of 798, one session, <= 1.8 cm", tum_fr1_xyz, True),
+    Line("fountain", "strecha_fountain_p11: 11 of 11, <= 0.8 cm", fountain, True),
+    Line("castle", "leuven_castle: 28 of 28, >= 17660 landmarks, >= 9900 with more than three views, "
+         "RMS_N <= 0.40", castle, False),
+    Line("tours", "tours without noise: >= 98 % registered, <= 0.4 % of the path, one session",
+         tours_without_noise, True),
+    Line("tours_noise", "tours with noise 10: >= 95 % registered, <= 1.2 % of the path, <= 0.5 deg, "
+         "one session", tours_with_noise, True),
+    Line("scale", "visionlab: true scale inside 2 sigma for >= 18 of 20 seeds", scale, False),
+    Line("colmap", "COLMAP registers >= 95 % of noise-free visionlab and turntable", colmap, False),
+    Line("audit", "the simulator's audit holds", audit, False),
+    Line("replay", "replay twice, one and two threads, beside a busy process: equal bytes", replay, True),
+    Line("curl", "curl gets from rovio_sim what rovio-http.md says", robot_face.check, True),
+    Line("driver_faults", "driver faults: no crash, frames resume, a killed driver's robot stops",
+         driver_faults, False),
+    Line("screenshot", "rviz shows image, cloud, path and frusta", screenshot, False),
+]
