@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "rovio_sfm/geometry/normalize_points.h"
+#include "rovio_sfm/util/check.h"
 
 namespace rovio_sfm {
 namespace {
@@ -75,6 +76,26 @@ std::optional<Eigen::Matrix3d> EstimateHomography(const std::vector<Eigen::Vecto
   const Vector9d stack = solver.eigenvectors().col(0);
   const Eigen::Matrix3d homography = Eigen::Map<const RowMajor3d>(stack.data());
   return WithUnitDeterminant(transform_b->inverse() * homography * *transform_a);
+}
+
+std::optional<Eigen::Matrix3d> SolveFourPoint(const std::vector<Eigen::Vector2d>& points_a,
+                                              const std::vector<Eigen::Vector2d>& points_b) {
+  ROVIO_CHECK(points_a.size() == 4 && points_b.size() == 4);
+  Matrix8d equations = Matrix8d::Zero();
+  Vector8d right_side;
+  for (int i = 0; i < 4; ++i) {
+    const Eigen::Vector3d x_a = points_a[static_cast<size_t>(i)].homogeneous();
+    const Eigen::Vector2d& x_b = points_b[static_cast<size_t>(i)];
+    for (int k = 0; k < 2; ++k) {
+      equations.block<1, 3>(2 * i + k, 3 * k) = x_a.transpose();
+      equations.block<1, 2>(2 * i + k, 6) = -x_b(k) * x_a.head<2>().transpose();
+      right_side(2 * i + k) = x_b(k);
+    }
+  }
+  Vector9d stack;
+  stack << Eigen::PartialPivLU<Matrix8d>(equations).solve(right_side), 1.0;
+  if (!stack.allFinite()) return std::nullopt;
+  return WithUnitDeterminant(Eigen::Map<const RowMajor3d>(stack.data()));
 }
 
 std::optional<Eigen::Matrix3d> RefineHomography(const std::vector<Eigen::Vector2d>& points_a,

@@ -20,9 +20,10 @@ ValueAndSlope Evaluate(const double* coefficients, int degree, double x) {
 }
 
 // The root between low and high, where the values have different signs; Newton, and bisection
-// wherever Newton would leave the bracket.
+// wherever Newton would leave the bracket. Ends with the first Newton step below last_step; the
+// error then is of the order of its square.
 double FindBracketedRoot(const double* coefficients, int degree, double low, double high,
-                         bool rising) {
+                         bool rising, double last_step) {
   constexpr int kMaxSteps = 80;
   double x = 0.5 * (low + high);
   for (int step = 0; step < kMaxSteps; ++step) {
@@ -31,7 +32,7 @@ double FindBracketedRoot(const double* coefficients, int degree, double low, dou
     ((at.value < 0.0) == rising ? low : high) = x;
     double next = x - at.value / at.slope;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (std::abs(next - x) <= 1e-15) return next;
+    if (std::abs(next - x) <= last_step) return next;
     x = next;
   }
   return x;
@@ -39,7 +40,7 @@ double FindBracketedRoot(const double* coefficients, int degree, double low, dou
 
 // The roots of a polynomial within [-1, 1] from those of its derivative there.
 void SplitAtExtrema(const double* coefficients, int degree, const std::vector<double>& extrema,
-                    std::vector<double>* roots) {
+                    double last_step, std::vector<double>* roots) {
   roots->clear();
   double low = -1.0;
   double value_low = Evaluate(coefficients, degree, low).value;
@@ -47,7 +48,8 @@ void SplitAtExtrema(const double* coefficients, int degree, const std::vector<do
     const double high = i < extrema.size() ? extrema[i] : 1.0;
     const double value_high = Evaluate(coefficients, degree, high).value;
     if ((value_low < 0.0) != (value_high < 0.0)) {
-      roots->push_back(FindBracketedRoot(coefficients, degree, low, high, value_low < 0.0));
+      roots->push_back(
+          FindBracketedRoot(coefficients, degree, low, high, value_low < 0.0, last_step));
     }
     low = high;
     value_low = value_high;
@@ -64,7 +66,8 @@ std::vector<double> FindRootsInUnitInterval(const std::vector<double>& coefficie
       for (int k = 0; k < order; ++k) factor *= i - k;
       derivative[static_cast<size_t>(i - order)] = factor * coefficients[static_cast<size_t>(i)];
     }
-    SplitAtExtrema(derivative.data(), degree - order, extrema, &roots);
+    // Extrema only bracket what follows and need not be exact.
+    SplitAtExtrema(derivative.data(), degree - order, extrema, order == 0 ? 1e-9 : 1e-3, &roots);
     extrema.swap(roots);
   }
   return extrema;

@@ -50,4 +50,12 @@ uint32_t ProsacPoolSize(uint32_t num_data, int sample_size, int iteration, int p
   return least + static_cast<uint32_t>(share * (num_data - least));
 }
 
+bool HasDrawnEnough(int num_samples, const std::vector<uint32_t>& inliers, uint32_t pool_size,
+                    int sample_size, const RansacOptions& options) {
+  if (num_samples < options.min_iterations) return false;
+  const auto in_pool = std::lower_bound(inliers.begin(), inliers.end(), pool_size);
+  const double share = static_cast<double>(in_pool - inliers.begin()) / pool_size;
+  return num_samples >= NumSamplesNeeded(share, sample_size, options.confidence);
+}
+
 }  // namespace rovio_sfm

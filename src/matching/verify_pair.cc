@@ -15,6 +15,9 @@
 namespace rovio_sfm {
 namespace {
 
+constexpr int kMinIterations =
+    50;  // a few more samples than needed give local optimisation a choice
+
 // Thresholds on the plane z = 1, and the matches sorted for PROSAC.
 struct PairProblem {
   const VerifyPairOptions& options;
@@ -44,7 +47,7 @@ PairProblem MakeProblem(const std::vector<Eigen::Vector2d>& points_a,
 RansacOptions MakeRansacOptions(const PairProblem& problem) {
   RansacOptions options;
   options.max_iterations = problem.options.max_iterations;
-  options.min_iterations = std::min(options.min_iterations, options.max_iterations);
+  options.min_iterations = std::min(kMinIterations, options.max_iterations);
   options.confidence = problem.options.confidence;
   options.threshold = problem.Threshold();
   options.prosac_samples = problem.options.prosac_samples;
@@ -103,13 +106,16 @@ double MedianParallax(const PointPairs& points, const Eigen::Quaterniond& rotati
   return Median(std::move(angles));
 }
 
-// H's share of the summed scores; a model's score here is what its truncated loss saves.
+// H's share of the summed scores; a model's score here is what its truncated loss saves. H's
+// threshold is larger as its residual has two degrees of freedom, not one (chi-square, 95 %).
 double HomographyShare(const PairProblem& problem, const PointPairs& inliers, double essential_loss,
                        Rng& rng) {
-  constexpr int kMaxIterations = 100;
+  constexpr int kMaxIterations = 60;
   RansacOptions options = MakeRansacOptions(problem);
   options.max_iterations = std::min(options.max_iterations, kMaxIterations);
+  options.min_iterations = std::min(options.min_iterations, options.max_iterations);
   options.prosac_samples = 0;
+  options.threshold *= std::sqrt(5.99 / 3.84);
   const auto report = Ransac(HomographyEstimator(inliers), options, rng);
   const double homography_score = report ? inliers.Count() - report->score : 0.0;
   const double essential_score = inliers.Count() - essential_loss;

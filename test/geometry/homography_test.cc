@@ -56,6 +56,20 @@ TEST(EstimateHomography, WorksOnFourMatches) {
   EXPECT_LT(RmsTransfer(*homography, pair), 1e-6);
 }
 
+TEST(SolveFourPoint, AgreesWithTheLeastSquares) {
+  const Pair pair = MakePair(SyntheticScene::kPlane, SyntheticMotion::kForward, 1.0);
+  const std::vector<Eigen::Vector2d> four_a(pair.points_a.begin(), pair.points_a.begin() + 4);
+  const std::vector<Eigen::Vector2d> four_b(pair.points_b.begin(), pair.points_b.begin() + 4);
+  const auto solved = SolveFourPoint(four_a, four_b);
+  ASSERT_TRUE(solved);
+  EXPECT_LT((*solved - *EstimateHomography(four_a, four_b)).norm(), 1e-6);
+}
+
+TEST(SolveFourPoint, RefusesThreePointsOnALine) {
+  const std::vector<Eigen::Vector2d> points = {{0, 0}, {1, 1}, {2, 2}, {0, 1}};
+  EXPECT_FALSE(SolveFourPoint(points, {{0, 0}, {1, 1}, {2, 0}, {0, 1}}));
+}
+
 TEST(EstimateHomography, RefusesTooFewUnequalAndCollinearMatches) {
   EXPECT_FALSE(EstimateHomography({}, {}));
   const std::vector<Eigen::Vector2d> line = {{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}};

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "rovio_sfm/geometry/essential.h"
 #include "rovio_sfm/geometry/ransac.h"
 #include "synthetic/synthetic_world.h"
@@ -49,6 +52,19 @@ TEST(EssentialEstimator, FindsTheTrueMatchesAmongHalfOutliers) {
   }
   EXPECT_GE(num_true, TrueMatches(pair.world, 0, 1).size() * 98 / 100);
   EXPECT_LE(report->inliers.size() - num_true, num_true / 20);
+}
+
+TEST(EssentialEstimator, TruncatedLossIsTheSumOverTheResiduals) {
+  const Pair pair = MakePair(SyntheticScene::kVolume, 0.5, 0.5);
+  const EssentialEstimator estimator(pair.points);
+  const Eigen::Matrix3d essential = EssentialFromPose(pair.world.cams_from_map[1]);
+  const double squared_threshold = std::pow(1.5 / kFocal, 2);
+  double expected = 0.0;
+  for (uint32_t i = 0; i < estimator.NumData(); ++i) {
+    expected += std::min(estimator.SquaredResidual(essential, i) / squared_threshold, 1.0);
+  }
+  EXPECT_NEAR(estimator.TruncatedLoss(essential, squared_threshold, 1e9), expected, 0.1);
+  EXPECT_GT(estimator.TruncatedLoss(essential, squared_threshold, 10.0), 10.0);
 }
 
 TEST(HomographyEstimator, FindsThePlaneAmongHalfOutliers) {

@@ -129,6 +129,18 @@ TEST(NumSamplesNeeded, FollowsTheFormula) {
   EXPECT_TRUE(std::isinf(NumSamplesNeeded(0.0, 5, 0.99)));
 }
 
+TEST(HasDrawnEnough, CountsTheInliersOfThePoolOnly) {
+  RansacOptions options = MakeOptions(1.0);
+  options.confidence = 0.99;
+  options.min_iterations = 3;
+  const std::vector<uint32_t> inliers = {0, 1, 2, 3, 100};
+  EXPECT_TRUE(HasDrawnEnough(3, inliers, 4, 5, options));
+  EXPECT_FALSE(HasDrawnEnough(2, inliers, 4, 5, options));
+  EXPECT_TRUE(HasDrawnEnough(146, inliers, 8, 5, options));
+  EXPECT_FALSE(HasDrawnEnough(145, inliers, 8, 5, options));
+  EXPECT_FALSE(HasDrawnEnough(100000, {}, 8, 5, options));
+}
+
 TEST(DrawSample, IsDistinctAndCoversAllData) {
   Rng rng(5);
   std::set<uint32_t> seen;

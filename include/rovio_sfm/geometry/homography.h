@@ -16,6 +16,11 @@ namespace rovio_sfm {
 std::optional<Eigen::Matrix3d> EstimateHomography(const std::vector<Eigen::Vector2d>& points_a,
                                                   const std::vector<Eigen::Vector2d>& points_b);
 
+// The homography through exactly four matches, with determinant 1; faster than EstimateHomography.
+// Nothing if it cannot be solved for, as with three points on a line.
+std::optional<Eigen::Matrix3d> SolveFourPoint(const std::vector<Eigen::Vector2d>& points_a,
+                                              const std::vector<Eigen::Vector2d>& points_b);
+
 // Levenberg-Marquardt on the transfer error into b; never worse than the start. Nothing as above.
 std::optional<Eigen::Matrix3d> RefineHomography(const std::vector<Eigen::Vector2d>& points_a,
                                                 const std::vector<Eigen::Vector2d>& points_b,

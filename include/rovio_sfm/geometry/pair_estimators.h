@@ -21,14 +21,17 @@ class EssentialEstimator {
   using Model = Eigen::Matrix3d;
   static constexpr int kSampleSize = 5;
 
-  explicit EssentialEstimator(const PointPairs& points) : points_(points) {}
+  explicit EssentialEstimator(const PointPairs& points);
   uint32_t NumData() const { return points_.Count(); }
   std::vector<Model> Solve(const std::vector<uint32_t>& sample) const;
   double SquaredResidual(const Model& essential, uint32_t i) const;
   std::optional<Model> Refine(const Model& essential, const std::vector<uint32_t>& inliers) const;
+  // In single precision, some 1e-4 px off.
+  double TruncatedLoss(const Model& essential, double squared_threshold, double bound) const;
 
  private:
   const PointPairs& points_;
+  Eigen::ArrayXf x_a_, y_a_, x_b_, y_b_;  // the coordinates one by one, for TruncatedLoss
 };
 
 // Homographies from four matches; residual: transfer error. Borrows the points.

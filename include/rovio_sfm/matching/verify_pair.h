@@ -22,7 +22,7 @@ struct VerifyPairOptions {
   int min_inliers = 20;       // fewer is a failed pair; 8 or more
   int max_iterations = 1000;  // RANSAC samples; 1 … 100 000
   double confidence = 0.999;  // of RANSAC; (0, 1)
-  int prosac_samples = 200;   // samples until all matches take part, best ratio first; 0 or more
+  int prosac_samples = 500;   // samples until all matches take part, best ratio first; 0 or more
   PairPoseMethod pose_method = PairPoseMethod::kFivePoint;
   // Planar if the homography's share of both truncated scores exceeds this (ORB-SLAM); (0, 1).
   double max_homography_share = 0.45;
