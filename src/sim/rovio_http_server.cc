@@ -31,8 +31,10 @@ void RovioHttpServer::StartCapturing() {
   capture_thread_ = std::thread([this] { RunCaptureLoop(context_); });
 }
 
+bool RovioHttpServer::WaitForPictureDemand() { return context_.frames.WaitForDemand(); }
+
 bool RovioHttpServer::CaptureForNextClient() {
-  return context_.frames.WaitForDemand() && CaptureOnce(context_);
+  return WaitForPictureDemand() && CaptureOnce(context_);
 }
 
 bool RovioHttpServer::SetQuirk(const std::string& name, double value, std::string* error) {

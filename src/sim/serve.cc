@@ -11,14 +11,25 @@
 namespace rovio_sfm::sim {
 namespace {
 
-sigset_t BlockEndSignals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  return signals;
-}
+// Holds SIGINT and SIGTERM back from all threads begun after it, so that one may wait for them.
+class EndSignals {
+ public:
+  EndSignals() {
+    sigemptyset(&signals_);
+    sigaddset(&signals_, SIGINT);
+    sigaddset(&signals_, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals_, &mask_before_);
+  }
+  ~EndSignals() { pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr); }
+
+  void Wait() const {
+    int signal = 0;
+    sigwait(&signals_, &signal);
+  }
+
+ private:
+  sigset_t signals_, mask_before_;
+};
 
 bool SwitchQuirks(const std::vector<std::string>& quirks, RovioHttpServer& server,
                   std::string* error) {
@@ -54,7 +65,7 @@ Clock RealTimeClock() {
 }
 
 int ServeRobot(const ServeOptions& options, RobotBackend& robot) {
-  const sigset_t end_signals = BlockEndSignals();
+  const EndSignals end_signals;
   RovioHttpServer server(options.server, robot, RealTimeClock());
   std::string error;
   if (!server.Start(&error)) return Fail(error);
@@ -62,8 +73,7 @@ int ServeRobot(const ServeOptions& options, RobotBackend& robot) {
   server.StartCapturing();
   std::cout << "rovio_sim: http://" << options.server.socket.address << ":" << server.port() << "/"
             << std::endl;
-  int signal = 0;
-  sigwait(&end_signals, &signal);
+  end_signals.Wait();
   server.Stop();
   return 0;
 }

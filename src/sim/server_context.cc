@@ -45,7 +45,7 @@ RobotSnapshot TakeSnapshot(ServerContext& context, Privilege caller_privilege) {
       context.accounts.With([](Accounts& accounts) { return accounts.is_checking(); });
   if (const auto picture = context.frames.Latest()) {
     constexpr uint64_t kIndexWrap = 800000;
-    snapshot.picture_index = static_cast<unsigned>(picture->number % kIndexWrap);
+    snapshot.picture_index = static_cast<unsigned>((picture->number - 1) % kIndexWrap);
     snapshot.picture_bytes = static_cast<unsigned>(picture->jpeg->size());
   }
   ShowQuirks(context, &snapshot);

@@ -32,7 +32,10 @@ class RovioHttpServer {
   // lock step) they come one by one from CaptureForNextClient.
   void StartCapturing();
 
-  // Blocks until a client waits for a picture, then takes one; false when none came.
+  // Blocks until a client waits for a picture; false once the server has stopped.
+  bool WaitForPictureDemand();
+
+  // The same, then takes a picture; false when none came.
   bool CaptureForNextClient();
 
   bool SetQuirk(const std::string& name, double value, std::string* error);
