@@ -10,3 +10,12 @@ if(BENCHMARKS)
   target_include_directories(benchmarks PRIVATE ${PROJECT_SOURCE_DIR}/test)
   target_link_libraries(benchmarks PRIVATE rovio_pipeline rovio_synthetic benchmark::benchmark_main)
 endif()
+
+# The nodes, each against its neighbours over a real master: test/ros/*.test. Wiring only.
+if(ROVIO_WITH_ROS)
+  find_package(rostest REQUIRED)
+  file(GLOB ROSTESTS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/ros/*.test)
+  foreach(ROSTEST ${ROSTESTS})
+    add_rostest(${ROSTEST})
+  endforeach()
+endif()

@@ -15,6 +15,7 @@ namespace rovio_sfm {
 namespace {
 
 constexpr double kStepPeriodS = 0.05;
+constexpr double kFirstFrameS = 5.0;  // the first frame may have come before this node listened
 constexpr double kDegree = M_PI / 180.0;
 
 void ReadDegrees(OptionReader* reader, const std::string& name, double* value_rad) {
@@ -131,8 +132,9 @@ void DriveTourNode::Step() {
 
 // The first stop is where the robot stands: its picture may have been taken before this node began.
 void DriveTourNode::Start() {
+  const double grace_s = options_.look == TourLook::kFrame ? kFirstFrameS : 0.0;
   const bool has_picture = options_.look == TourLook::kNothing || !last_picture_.isZero() ||
-                           (options_.look == TourLook::kImage && num_published_ > 0);
+                           (num_published_ > 0 && SecondsInPhase() > grace_s);
   if (HasOdometry() && twist_.getNumSubscribers() > 0 && has_picture) {
     next_stop_ = 1;
     origin_ = *present_;

@@ -49,10 +49,14 @@ void DriverImagePublisher::Publish(const CameraImage& image) {
   message->header = header;
   message->format = "jpeg";
   message->data.assign(image.jpeg.begin(), image.jpeg.end());
+  info_.publish(info);  // first: a receiver needs the camera to use the image
   compressed_.publish(message);
-  info_.publish(info);
   if (decoded_.getNumSubscribers() > 0) PublishDecoded(image, header);
   ++num_published_;
+}
+
+bool DriverImagePublisher::HasListeners() const {
+  return compressed_.getNumSubscribers() + decoded_.getNumSubscribers() > 0;
 }
 
 // An image of another size than the calibration's is published as uncalibrated: nobody knows

@@ -50,7 +50,8 @@ void DriverImages::NoteMotion(bool is_moving, int64_t now_ns) {
   if (!is_stationary_) return;
   MutexLock lock(mutex_);
   trigger_.Note(is_moving, now_ns);
-  gate_.SetOpen(trigger_.WantsImage(now_ns));
+  // The one image of a stop waits for somebody to see it.
+  gate_.SetOpen(trigger_.WantsImage(now_ns) && publisher_.HasListeners());
 }
 
 void DriverImages::OnImage(CameraImage image) {
@@ -58,7 +59,7 @@ void DriverImages::OnImage(CameraImage image) {
     MutexLock lock(mutex_);
     statistics_.Add(image.stamp_ns, image.complete_ns);
     if (is_stationary_) {
-      if (!trigger_.Accept(image.stamp_ns)) return;
+      if (!publisher_.HasListeners() || !trigger_.Accept(image.stamp_ns)) return;
       gate_.SetOpen(false);
     }
   }

@@ -21,6 +21,9 @@ class DriverImagePublisher {
 
   void Publish(const CameraImage& image);
 
+  // Whether somebody wants images; any thread.
+  bool HasListeners() const;
+
   uint64_t NumPublished() const { return num_published_; }
 
  private:
