@@ -9,16 +9,18 @@
 namespace rovio_sfm {
 namespace {
 
-constexpr uint32_t kMinShared = 15;      // landmarks that make a neighbour worth adjusting
-constexpr size_t kMaxFixedFrames = 30;   // of a local adjustment
-constexpr size_t kMinGlobalFrames = 6;   // smaller maps are covered by local adjustments
+constexpr uint32_t kMinShared = 15;     // landmarks that make a neighbour worth adjusting
+constexpr size_t kMaxFixedFrames = 30;  // of a local adjustment
+constexpr size_t kMinGlobalFrames = 6;  // smaller maps are covered by local adjustments
 constexpr int kFinalRounds = 5;
+constexpr double kLocalTolerance = 1e-4;  // the next frame's adjustment goes on where this one ends
 constexpr double kSettledShare = 0.0005;  // of the observations that changed in a round
 
 double Radians(double degrees) { return degrees * M_PI / 180.0; }
 
 BundleOptions LocalBundleOptions(const MapperOptions& options) {
-  return {options.adjust.local_max_iterations, options.adjust.loss_px / options.pixel_sigma_px};
+  return {options.adjust.local_max_iterations, options.adjust.loss_px / options.pixel_sigma_px,
+          kLocalTolerance};
 }
 
 PruneLandmarksOptions PruneWithin(const MapperOptions& options) {
@@ -70,7 +72,8 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
   for (int round = 0; round < kFinalRounds; ++round) {
     uint32_t num_changed = CompleteAll(options, session);
     SessionBundle bundle = MakeGlobalBundle(*session);
-    if (!AdjustBundle(&bundle.problem, {options.adjust.global_max_iterations, loss_sigmas}).usable) {
+    if (!AdjustBundle(&bundle.problem, {options.adjust.global_max_iterations, loss_sigmas})
+             .usable) {
       return total;
     }
     ApplyBundle(bundle, true, session);

@@ -72,8 +72,8 @@ void DriveMapper::Hold(const FrameEvent& event, MapperReport* report) {
       FindBootstrapPair(held_, current(), context_.options.bootstrap, context_.options.seed);
   if (!pair) return;
   const double wished = Radians(context_.options.bootstrap.wished_angle_deg);
-  const bool waits = pair->median_angle_rad < wished &&
-                     ++num_waited_ < context_.options.bootstrap.patience;
+  const bool waits =
+      pair->angle_rad < wished && ++num_waited_ < context_.options.bootstrap.patience;
   if (!waits && Start(*pair)) report->outcome = MapperOutcome::kKeyframe;
 }
 
@@ -127,8 +127,9 @@ std::optional<Registration> DriveMapper::Resect(const FrameEvent& event, MapperR
 
 void DriveMapper::GrowMap(uint32_t frame, MapperReport* report) {
   const MapperOptions& options = context_.options;
-  const TriangulateTracksOptions triangulate{Radians(options.triangulate.min_parallax_deg),
-                                             options.triangulate.max_error_px / options.pixel_sigma_px};
+  const TriangulateTracksOptions triangulate{
+      Radians(options.triangulate.min_parallax_deg),
+      options.triangulate.max_error_px / options.pixel_sigma_px};
   {
     const auto scope = MeasureStage(context_.times, "search");
     CompleteLandmarks(frame, triangulate.max_error_sigmas, &current());
@@ -189,8 +190,9 @@ void DriveMapper::AddLight(const FrameEvent& event, MapperReport* report) {
   const auto scope = MeasureStage(context_.times, "light");
   ++counters_.light_frames;
   LightFrame frame = MakeLightFrame(event);
-  const bool posed = current().state() == SessionState::kMapping &&
-                     PoseLightFrame(event.id.index, last_pose_, context_.options, &frame, current());
+  const bool posed =
+      current().state() == SessionState::kMapping &&
+      PoseLightFrame(event.id.index, last_pose_, context_.options, &frame, current());
   report->outcome = posed ? MapperOutcome::kLight : MapperOutcome::kUnposed;
   if (!posed) {
     unposed_.emplace(event.id.index, std::move(frame));

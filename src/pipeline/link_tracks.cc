@@ -11,8 +11,8 @@ bool AllViewsAgree(const Session& session, const Landmark& landmark,
                    const Eigen::Vector3d& position, double max_error_sigmas) {
   for (const Observation& observation : landmark.observations) {
     const Keyframe& frame = session.keyframe(observation.frame);
-    const auto error = ReprojectionError(frame.cam_from_session, frame.points[observation.feature],
-                                         position);
+    const auto error =
+        ReprojectionError(frame.cam_from_session, frame.points[observation.feature], position);
     if (!error || *error > max_error_sigmas * frame.sigmas[observation.feature]) return false;
   }
   return true;
@@ -51,9 +51,15 @@ LinkReport LinkTracks(double max_error_sigmas, std::vector<TrackLink>* pending, 
   std::vector<TrackLink> retry;
   for (const TrackLink& link : *pending) {
     switch (Link(link, max_error_sigmas, session)) {
-      case LinkResult::kUnited: ++report.num_united; break;
-      case LinkResult::kRefusedF1: ++report.num_refused_f1; break;
-      case LinkResult::kRefusedF2: retry.push_back(link); break;
+      case LinkResult::kUnited:
+        ++report.num_united;
+        break;
+      case LinkResult::kRefusedF1:
+        ++report.num_refused_f1;
+        break;
+      case LinkResult::kRefusedF2:
+        retry.push_back(link);
+        break;
     }
   }
   *pending = std::move(retry);

@@ -22,8 +22,8 @@ std::optional<Registration> Accept(const std::optional<Resection>& resection, si
                       static_cast<uint32_t>(resection->inliers.size())};
 }
 
-std::optional<Registration> Resect(const std::vector<PoseObservation>& observations, uint64_t stream,
-                                   const MapperOptions& options) {
+std::optional<Registration> Resect(const std::vector<PoseObservation>& observations,
+                                   uint64_t stream, const MapperOptions& options) {
   Rng rng = Rng(options.seed).Fork(stream);
   return Accept(ResectFrame(observations, ResectOptionsOf(options), rng), observations.size(),
                 options);
@@ -50,8 +50,8 @@ std::optional<Registration> RegisterKeyframe(const FrameEvent& event, const Mapp
     const Landmark* landmark = session.FindLandmark(event.tracks[i]);
     if (landmark == nullptr) continue;
     const Keypoint& keypoint = event.features->keypoints[i];
-    observations.push_back({landmark->position, keypoint.x_normalized,
-                            FeatureSigma(keypoint, event.camera, options)});
+    observations.push_back(
+        {landmark->position, keypoint.x_normalized, FeatureSigma(keypoint, event.camera, options)});
   }
   return Resect(observations, event.id.index, options);
 }
@@ -79,9 +79,9 @@ bool PoseLightFrame(uint32_t index, const std::optional<Rigid3>& predicted_cam_f
   const std::vector<PoseObservation> observations = ObservationsOf(*frame, options, session);
   std::optional<Registration> registration;
   if (predicted_cam_from_session) {
-    registration = Accept(ResectFromPrediction(observations, *predicted_cam_from_session,
-                                               ResectOptionsOf(options)),
-                          observations.size(), options);
+    registration = Accept(
+        ResectFromPrediction(observations, *predicted_cam_from_session, ResectOptionsOf(options)),
+        observations.size(), options);
   }
   if (!registration) registration = Resect(observations, index, options);
   if (!registration) return false;

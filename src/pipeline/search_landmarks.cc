@@ -158,8 +158,8 @@ void Attach(TrackId id, const Observation& feature, double max_error_sigmas, Ses
   } else if (own != 0 && session->FindLandmark(own) != nullptr) {
     if (TryUniteLandmarks(own, id, max_error_sigmas, session)) ++report->num_united;
   } else {
-    const bool attached = own == 0 ? session->MoveToTrack(feature, id)
-                                   : session->UniteTracks(own, id);
+    const bool attached =
+        own == 0 ? session->MoveToTrack(feature, id) : session->UniteTracks(own, id);
     const TrackId root = session->RootOf(id);
     if (!attached || session->landmarks().count(root) == 0) return;
     session->AddObservation(root, feature);

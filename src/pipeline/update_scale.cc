@@ -16,8 +16,8 @@ std::vector<ScaleSample> SamplesOf(const Session& session) {
     const Rigid3 odom_from_base{
         Eigen::Quaterniond(Eigen::AngleAxisd(odometry.yaw_rad, Eigen::Vector3d::UnitZ())),
         {odometry.x_m, odometry.y_m, 0.0}};
-    samples.push_back({frame.cam_from_session, odom_from_base * *frame.base_from_camera,
-                       odometry.yaw_rad});
+    samples.push_back(
+        {frame.cam_from_session, odom_from_base * *frame.base_from_camera, odometry.yaw_rad});
   }
   return samples;
 }
@@ -31,8 +31,7 @@ bool UpdateScale(const ScaleOptions& options, bool adopt, Session* session) {
   const auto scale = EstimateScale(SamplesOf(*session), estimate);
   if (!scale) return false;
   if (session->scale() && !adopt) {
-    const double change =
-        std::log(scale->metres_per_unit / session->scale()->metres_per_unit);
+    const double change = std::log(scale->metres_per_unit / session->scale()->metres_per_unit);
     if (std::abs(change) <= 2.0 * session->scale()->sigma_log) return false;
   }
   session->set_scale(*scale);

@@ -18,7 +18,8 @@ std::optional<double> LastBaseline(const Session& session) {
   if (session.keyframes().size() < 2) return std::nullopt;
   const auto last = std::prev(session.keyframes().end());
   return (OriginInA(last->second.cam_from_session) -
-          OriginInA(std::prev(last)->second.cam_from_session)).norm();
+          OriginInA(std::prev(last)->second.cam_from_session))
+      .norm();
 }
 
 }  // namespace

@@ -49,8 +49,8 @@ std::string CheckKeyframe(const Session& session, uint32_t index, const Keyframe
     if (!frame.observed[i]) continue;
     const Landmark* landmark = session.FindLandmark(frame.tracks[i]);
     const Observation self{index, static_cast<uint32_t>(i)};
-    if (landmark == nullptr || !std::binary_search(landmark->observations.begin(),
-                                                   landmark->observations.end(), self)) {
+    if (landmark == nullptr ||
+        !std::binary_search(landmark->observations.begin(), landmark->observations.end(), self)) {
       return "frame " + std::to_string(index) + " observes a landmark that does not know it";
     }
   }

@@ -249,7 +249,9 @@ SessionSnapshot Session::Snapshot() const {
   return snapshot;
 }
 
-void Session::MarkLandmark(TrackId track) const { landmark_blocks_.erase(track / kLandmarksPerBlock); }
+void Session::MarkLandmark(TrackId track) const {
+  landmark_blocks_.erase(track / kLandmarksPerBlock);
+}
 
 void Session::MarkFrame(uint32_t index) const { frame_blocks_.erase(index / kFramesPerBlock); }
 

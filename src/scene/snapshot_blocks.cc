@@ -59,7 +59,8 @@ LandmarkSnapshot Snap(const Session& session, TrackId id, const Landmark& landma
   for (const Observation& observation : landmark.observations) {
     const Keyframe& frame = session.keyframe(observation.frame);
     const Eigen::Vector3d x_in_cam = frame.cam_from_session * landmark.position;
-    const double squared = (x_in_cam.hnormalized() - frame.points[observation.feature]).squaredNorm();
+    const double squared =
+        (x_in_cam.hnormalized() - frame.points[observation.feature]).squaredNorm();
     snapshot.squared_error_normalized += squared;
     sum += std::sqrt(squared);
     rays.push_back((frame.cam_from_session.rotation.conjugate() * x_in_cam).normalized());

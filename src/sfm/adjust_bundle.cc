@@ -62,8 +62,8 @@ void AddObservations(BundleProblem* problem, const BundleOptions& options,
   ceres::LossFunction* loss =
       options.loss_sigmas > 0.0 ? new ceres::CauchyLoss(options.loss_sigmas) : nullptr;
   for (const BundleObservation& observation : problem->observations) {
-    solver->AddResidualBlock(MakeReprojectionCost(observation.x_normalized, observation.sigma), loss,
-                             (*poses)[observation.camera].data(),
+    solver->AddResidualBlock(MakeReprojectionCost(observation.x_normalized, observation.sigma),
+                             loss, (*poses)[observation.camera].data(),
                              problem->points[observation.point].data());
   }
 }
@@ -91,7 +91,7 @@ ceres::Solver::Options SolverOptions(const BundleProblem& problem, const BundleO
   solver_options.dense_linear_algebra_library_type = ceres::EIGEN;
   solver_options.num_threads = 1;
   solver_options.max_num_iterations = options.max_iterations;
-  solver_options.function_tolerance = 1e-7;
+  solver_options.function_tolerance = options.function_tolerance;
   solver_options.logging_type = ceres::SILENT;
   auto* ordering = new ceres::ParameterBlockOrdering;
   for (Eigen::Vector3d& point : *points) {

@@ -18,12 +18,12 @@ std::optional<Window> MakeWindow(const ScaleSample& from, const ScaleSample& to,
                                  const EstimateScaleOptions& options) {
   const Eigen::Vector3d moved_m =
       to.odom_from_camera.translation - from.odom_from_camera.translation;
-  const double moved_units =
-      (OriginInA(to.cam_from_map) - OriginInA(from.cam_from_map)).norm();
+  const double moved_units = (OriginInA(to.cam_from_map) - OriginInA(from.cam_from_map)).norm();
   if (!(moved_units > 0.0)) return std::nullopt;
   const Eigen::Quaterniond by_wheels =
       to.odom_from_camera.rotation.conjugate() * from.odom_from_camera.rotation;
-  const Eigen::Quaterniond by_camera = to.cam_from_map.rotation * from.cam_from_map.rotation.conjugate();
+  const Eigen::Quaterniond by_camera =
+      to.cam_from_map.rotation * from.cam_from_map.rotation.conjugate();
   if (RotationAngle(by_wheels * by_camera.conjugate()) > options.max_rotation_gap_rad) {
     return std::nullopt;
   }
@@ -32,8 +32,7 @@ std::optional<Window> MakeWindow(const ScaleSample& from, const ScaleSample& to,
   const double sideways = std::abs(std::sin(direction));
   Window window;
   window.log_ratio = std::log(moved_m.norm() / moved_units);
-  window.gain_sigma =
-      std::hypot(options.odometry_gain_sigma, options.sideways_sigma * sideways);
+  window.gain_sigma = std::hypot(options.odometry_gain_sigma, options.sideways_sigma * sideways);
   return window;
 }
 
@@ -42,8 +41,9 @@ std::vector<Window> MakeWindows(const std::vector<ScaleSample>& samples,
   std::vector<Window> windows;
   for (size_t i = 0, j = 0; i < samples.size(); ++i) {
     for (j = std::max(j, i + 1); j < samples.size(); ++j) {
-      const double moved_m = (samples[j].odom_from_camera.translation -
-                              samples[i].odom_from_camera.translation).norm();
+      const double moved_m =
+          (samples[j].odom_from_camera.translation - samples[i].odom_from_camera.translation)
+              .norm();
       if (moved_m >= options.min_distance_m) break;
     }
     if (j == samples.size()) break;
@@ -55,9 +55,8 @@ std::vector<Window> MakeWindows(const std::vector<ScaleSample>& samples,
 }
 
 double WeightedMedian(std::vector<Window> windows) {
-  std::stable_sort(windows.begin(), windows.end(), [](const Window& a, const Window& b) {
-    return a.log_ratio < b.log_ratio;
-  });
+  std::stable_sort(windows.begin(), windows.end(),
+                   [](const Window& a, const Window& b) { return a.log_ratio < b.log_ratio; });
   const auto weight = [](const Window& w) { return 1.0 / (w.gain_sigma * w.gain_sigma); };
   double total = 0.0;
   for (const Window& window : windows) total += weight(window);
@@ -86,8 +85,8 @@ std::optional<MapScale> EstimateScale(const std::vector<ScaleSample>& samples,
   std::nth_element(deviations.begin(),
                    deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2),
                    deviations.end());
-  const double scatter = 1.4826 * deviations[deviations.size() / 2] /
-                         std::sqrt(static_cast<double>(windows.size()));
+  const double scatter =
+      1.4826 * deviations[deviations.size() / 2] / std::sqrt(static_cast<double>(windows.size()));
   // The gains of all windows are one unknown each way, so they do not average out.
   const double gain_sigma = gain_sum / weight_sum;
   return MapScale{std::exp(log_scale), std::hypot(scatter, gain_sigma), "odometry"};

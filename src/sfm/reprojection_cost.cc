@@ -68,8 +68,8 @@ class PoseManifold final : public ceres::Manifold {
   bool Plus(const double* x, const double* delta, double* x_plus_delta) const override {
     const Eigen::Vector3d w(delta[0], delta[1], delta[2]);
     const double angle = w.norm();
-    const Eigen::Quaterniond step(
-        angle > 0.0 ? Eigen::AngleAxisd(angle, w / angle) : Eigen::AngleAxisd::Identity());
+    const Eigen::Quaterniond step(angle > 0.0 ? Eigen::AngleAxisd(angle, w / angle)
+                                              : Eigen::AngleAxisd::Identity());
     Eigen::Map<Eigen::Quaterniond> rotation(x_plus_delta);
     rotation = (step * Eigen::Map<const Eigen::Quaterniond>(x)).normalized();
     for (int i = 0, j = 3; i < 3; ++i) {

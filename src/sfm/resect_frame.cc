@@ -39,8 +39,8 @@ std::optional<Rigid3> SolveEpnp(const std::vector<PoseObservation>& observations
   const Eigen::Vector3d w(turn[0], turn[1], turn[2]), t(shift[0], shift[1], shift[2]);
   if (!w.allFinite() || !t.allFinite()) return std::nullopt;
   const double angle = w.norm();
-  const Eigen::AngleAxisd rotation(angle, angle > 0.0 ? Eigen::Vector3d(w / angle)
-                                                      : Eigen::Vector3d::UnitX());
+  const Eigen::AngleAxisd rotation(
+      angle, angle > 0.0 ? Eigen::Vector3d(w / angle) : Eigen::Vector3d::UnitX());
   return Rigid3{Eigen::Quaterniond(rotation), t};
 }
 

@@ -91,8 +91,7 @@ uint32_t ReferenceOf(const std::map<uint32_t, Rigid3>& frames, uint32_t frame) {
 std::vector<uint32_t> CovisibleFrames(const Session& session, uint32_t frame, size_t max_count,
                                       uint32_t min_shared) {
   std::vector<uint32_t> frames = {frame};
-  for (const uint32_t other :
-       MostShared(CountShared(session, frames), max_count - 1, min_shared)) {
+  for (const uint32_t other : MostShared(CountShared(session, frames), max_count - 1, min_shared)) {
     frames.push_back(other);
   }
   return frames;

@@ -66,9 +66,9 @@ class DriveMapper {
   Camera camera_;
   std::vector<std::unique_ptr<Session>> sessions_;  // the last one is current
   GlobalAdjustment global_;
-  std::deque<FrameEvent> held_;           // keyframes before the session starts
-  int num_waited_ = 0;                    // keyframes since the first pair that would do
-  std::deque<FrameEvent> weak_;           // the newest keyframes, if they are weak
+  std::deque<FrameEvent> held_;  // keyframes before the session starts
+  int num_waited_ = 0;           // keyframes since the first pair that would do
+  std::deque<FrameEvent> weak_;  // the newest keyframes, if they are weak
   std::vector<TrackLink> pending_links_;
   std::map<uint32_t, LightFrame> unposed_;  // light frames of the current session without a pose
   std::optional<Rigid3> last_pose_;         // cam_from_session of the last posed frame

@@ -13,9 +13,9 @@
 
 namespace rovio_sfm {
 
-// From frame events to maps (§3.7–3.8): every drive is mapped by itself, in sessions that follow one
-// another when tracking is lost. Thread-compatible: one owner calls it; the snapshots it hands out
-// are immutable and may go anywhere.
+// From frame events to maps (§3.7–3.8): every drive is mapped by itself, in sessions that follow
+// one another when tracking is lost. Thread-compatible: one owner calls it; the snapshots it hands
+// out are immutable and may go anywhere.
 class Mapper {
  public:
   // The store, the times (may be null) and the executor of global adjustments must outlive the

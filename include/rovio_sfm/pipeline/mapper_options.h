@@ -7,11 +7,11 @@ namespace rovio_sfm {
 
 // When two held frames may start a session (§3.7, design 5.2.1).
 struct BootstrapOptions {
-  int max_held_frames = 120;         // keyframes, 4 to 1000; the oldest goes when one more comes
-  int min_inliers = 100;             // 20 to 10000
-  double min_angle_deg = 4.0;        // median parallax of the inliers, 0.5 to 45
-  double wished_angle_deg = 16.0;    // taken at once from here, min_angle_deg to 60
-  int patience = 12;                 // keyframes to wait for a wider pair after the first good one
+  int max_held_frames = 120;       // keyframes, 4 to 1000; the oldest goes when one more comes
+  int min_inliers = 100;           // 20 to 10000
+  double min_angle_deg = 4.0;      // median parallax of the inliers, 0.5 to 45
+  double wished_angle_deg = 16.0;  // taken at once from here, min_angle_deg to 60
+  int patience = 5;                // keyframes to wait for a wider pair after the first good one
   bool IsValid(std::string* error) const;
 };
 
@@ -23,18 +23,19 @@ struct ResectOptions {
 };
 
 struct TriangulateOptions {
-  double min_parallax_deg = 1.5;   // 0.1 to 30
-  double max_error_px = 3.0;       // reprojection error of an observation, 0.5 to 50
+  double min_parallax_deg = 1.5;  // 0.1 to 30
+  double max_error_px = 3.0;      // reprojection error of an observation, 0.5 to 50
   bool IsValid(std::string* error) const;
 };
 
 struct AdjustOptions {
-  int local_frames = 10;            // free frames of a local adjustment, 2 to 50
-  int local_max_iterations = 10;    // 1 to 200
-  int global_max_iterations = 50;   // 1 to 1000
-  double global_growth = 0.1;       // a global one when frames or landmarks grew by this share, 0.01 to 10
-  int global_delay = 2;             // keyframes after which its result is applied, 1 to 100
-  double loss_px = 1.0;             // scale of the robust loss, 0.1 to 20
+  int local_frames = 10;           // free frames of a local adjustment, 2 to 50
+  int local_max_iterations = 10;   // 1 to 200
+  int global_max_iterations = 50;  // 1 to 1000
+  double global_growth =
+      0.1;               // a global one when frames or landmarks grew by this share, 0.01 to 10
+  int global_delay = 2;  // keyframes after which its result is applied, 1 to 100
+  double loss_px = 1.0;  // scale of the robust loss, 0.1 to 20
   bool IsValid(std::string* error) const;
 };
 
@@ -45,10 +46,10 @@ struct PruneOptions {
 };
 
 struct ScaleOptions {
-  double min_distance_m = 0.3;      // length of a window, 0.05 to 10
+  double min_distance_m = 0.3;        // length of a window, 0.05 to 10
   double max_rotation_gap_deg = 2.0;  // odometry and vision must agree that well, 0.1 to 45
   double odometry_gain_sigma = 0.05;  // relative; averaging never goes below it, 0.001 to 1
-  double sideways_sigma = 0.2;      // relative uncertainty of sideways motion, 0 to 1
+  double sideways_sigma = 0.2;        // relative uncertainty of sideways motion, 0 to 1
   bool IsValid(std::string* error) const;
 };
 
@@ -59,7 +60,7 @@ struct MapperOptions {
   AdjustOptions adjust;
   PruneOptions prune;
   ScaleOptions scale;
-  int max_weak_frames = 3;    // more in a row end the session as lost, 0 to 100
+  int max_weak_frames = 3;      // more in a row end the session as lost, 0 to 100
   double pixel_sigma_px = 1.0;  // position of a small feature, 0.1 to 20
   double sigma_size_px = 6.0;   // features larger than that are less certain, 1 to 100
   double sigma_exponent = 0.5;  // sigma grows with (size / sigma_size_px) to this power, 0 to 2

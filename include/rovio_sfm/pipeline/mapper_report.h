@@ -19,21 +19,21 @@ enum class MapperOutcome : uint8_t {
 
 struct MapperReport {
   MapperOutcome outcome = MapperOutcome::kHeld;
-  std::string reason;          // of a refusal
+  std::string reason;  // of a refusal
   SessionId session;
-  uint32_t num_matches = 0;    // features whose track has a landmark
-  uint32_t num_inliers = 0;    // of them, in the resection
-  uint32_t num_created = 0;    // landmarks
-  uint32_t num_found = 0;      // observations added by searching
-  uint32_t num_united = 0;     // landmarks
-  uint32_t num_pruned = 0;     // observations
+  uint32_t num_matches = 0;  // features whose track has a landmark
+  uint32_t num_inliers = 0;  // of them, in the resection
+  uint32_t num_created = 0;  // landmarks
+  uint32_t num_found = 0;    // observations added by searching
+  uint32_t num_united = 0;   // landmarks
+  uint32_t num_pruned = 0;   // observations
 };
 
 struct MapperCounters {
   uint64_t keyframes = 0;
   uint64_t light_frames = 0;
   uint64_t weak_frames = 0;
-  uint64_t missing_events = 0;       // gaps in a drive's index
+  uint64_t missing_events = 0;  // gaps in a drive's index
   uint64_t refused_events = 0;
   uint64_t lost_sessions = 0;
   uint64_t global_adjustments = 0;

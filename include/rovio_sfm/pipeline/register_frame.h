@@ -25,8 +25,8 @@ std::optional<Registration> RegisterKeyframe(const FrameEvent& event, const Mapp
 std::optional<Registration> RegisterAgain(uint32_t frame, const MapperOptions& options,
                                           const Session& session);
 
-// Poses a light frame relative to the newest keyframe before it: from a predicted pose where there is
-// one, else by RANSAC. False, with the frame as it was, where too few of its landmarks agree.
+// Poses a light frame relative to the newest keyframe before it: from a predicted pose where there
+// is one, else by RANSAC. False, with the frame as it was, where too few of its landmarks agree.
 bool PoseLightFrame(uint32_t index, const std::optional<Rigid3>& predicted_cam_from_session,
                     const MapperOptions& options, LightFrame* frame, const Session& session);
 

@@ -8,8 +8,8 @@
 namespace rovio_sfm {
 
 // The pose of a keyframe that could not be resected, from its relative pose to the keyframe before
-// (§3.7.1): the length of the baseline comes from odometry where the session has a scale, else it is
-// that of the session's last step. Nothing without a matched pair or a step before.
+// (§3.7.1): the length of the baseline comes from odometry where the session has a scale, else it
+// is that of the session's last step. Nothing without a matched pair or a step before.
 std::optional<Rigid3> PredictWeakPose(const FrameEvent& event, const Session& session);
 
 }  // namespace rovio_sfm

@@ -30,8 +30,8 @@ struct Descriptors {
 
 // A feature in the raw image, and where it lies on the plane z = 1.
 struct Keypoint {
-  float x_px = 0.0f, y_px = 0.0f;    // raw (distorted) pixel
-  float size_px = 0.0f;              // diameter of the feature; its localisation error grows with it
+  float x_px = 0.0f, y_px = 0.0f;  // raw (distorted) pixel
+  float size_px = 0.0f;            // diameter of the feature; its localisation error grows with it
   float angle_rad = 0.0f;
   float response = 0.0f;
   Eigen::Vector2d x_normalized = Eigen::Vector2d::Zero();  // undistorted, unit focal length

@@ -9,14 +9,15 @@ namespace rovio_sfm {
 
 // The images of one frontend from its start to its end. Created by the frontend alone.
 struct DriveId {
-  std::string robot;      // [a-z][a-z0-9_]*, at most 32 characters
-  int64_t start_ns = 0;   // stamp of the drive's first image
-  uint32_t nonce = 0;     // random live, from the seed in replay
+  std::string robot;     // [a-z][a-z0-9_]*, at most 32 characters
+  int64_t start_ns = 0;  // stamp of the drive's first image
+  uint32_t nonce = 0;    // random live, from the seed in replay
 
   std::string ToString() const;  // robot-start_ns-nonce
 };
 
-// A frame for ever: drive and index without gaps, both keyframes and light frames; never renumbered.
+// A frame for ever: drive and index without gaps, both keyframes and light frames; never
+// renumbered.
 struct FrameId {
   DriveId drive;
   uint32_t index = 0;

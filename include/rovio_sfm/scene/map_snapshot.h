@@ -38,9 +38,9 @@ struct LandmarkSnapshot {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // in the session, map units
   Rgb color{};
   uint32_t num_views = 0;
-  double max_parallax_rad = 0.0;           // the widest angle under which two views see it
-  double mean_error_px = 0.0;              // mean reprojection error over its views
-  double squared_error_normalized = 0.0;   // sum over its views of |residual|^2 on the plane z = 1
+  double max_parallax_rad = 0.0;          // the widest angle under which two views see it
+  double mean_error_px = 0.0;             // mean reprojection error over its views
+  double squared_error_normalized = 0.0;  // sum over its views of |residual|^2 on the plane z = 1
 };
 
 // Blocks are shared between snapshots as long as nothing in them changes.
@@ -54,15 +54,15 @@ struct SessionSnapshot {
   DriveId drive;
   Camera camera;
   SessionState state = SessionState::kBootstrapping;
-  std::optional<MapScale> scale;                              // of the map's unit; none: not metric
-  Sim3 map_from_session;                                      // identity for a map's root session
-  std::vector<std::shared_ptr<const FrameBlock>> frames;      // by increasing index
+  std::optional<MapScale> scale;                          // of the map's unit; none: not metric
+  Sim3 map_from_session;                                  // identity for a map's root session
+  std::vector<std::shared_ptr<const FrameBlock>> frames;  // by increasing index
   std::vector<std::shared_ptr<const LandmarkBlock>> landmarks;  // by increasing id
 };
 
 // An immutable picture of all maps at one moment.
 struct MapSnapshot {
-  uint64_t version = 0;  // raised with every snapshot
+  uint64_t version = 0;                   // raised with every snapshot
   std::vector<SessionSnapshot> sessions;  // by id
 };
 

@@ -24,17 +24,17 @@ struct MatchCounts {
   uint32_t ratio = 0;       // after Lowe's ratio
   uint32_t percentile = 0;  // after the percentile filter (§3.4.2)
   uint32_t one_to_one = 0;
-  uint32_t ransac = 0;      // after RANSAC on the essential matrix (§3.5)
-  uint32_t guided = 0;      // after the guided pass; equal to ransac where it is off
+  uint32_t ransac = 0;  // after RANSAC on the essential matrix (§3.5)
+  uint32_t guided = 0;  // after the guided pass; equal to ransac where it is off
 };
 
 // One matched pair (other frame, this frame), as a FrameEvent carries it.
 struct PairMatches {
-  uint32_t other_index = 0;        // FrameId::index of the earlier frame, same drive
+  uint32_t other_index = 0;  // FrameId::index of the earlier frame, same drive
   MatchCounts counts;
   PairVerdict verdict = PairVerdict::kFailed;
-  Rigid3 cam_from_other;           // this camera from the other; translation has length 1 or 0
-  double median_parallax_rad = 0;  // after removing the rotation
+  Rigid3 cam_from_other;              // this camera from the other; translation has length 1 or 0
+  double median_parallax_rad = 0;     // after removing the rotation
   std::vector<FeatureMatch> inliers;  // a: the other frame's feature, b: this frame's
 };
 

@@ -68,8 +68,9 @@ struct LightFrame {
   uint32_t num_inliers = 0;
 };
 
-// All state of one session: consecutive frames of one drive in one gauge (the first camera's). Keeps
-// the invariants between frames, tracks and landmarks and does no work of its own. Thread-compatible.
+// All state of one session: consecutive frames of one drive in one gauge (the first camera's).
+// Keeps the invariants between frames, tracks and landmarks and does no work of its own.
+// Thread-compatible.
 class Session {
  public:
   Session(SessionId id, DriveId drive, Camera camera);
@@ -90,8 +91,8 @@ class Session {
   void set_state(SessionState state) { state_ = state; }
   void set_scale(const MapScale& scale) { scale_ = scale; }
 
-  // Adds a keyframe with its features' tracks; ids may be any alias. A second feature of one track in
-  // the frame is left without a track.
+  // Adds a keyframe with its features' tracks; ids may be any alias. A second feature of one track
+  // in the frame is left without a track.
   void AddKeyframe(uint32_t index, Keyframe keyframe);
   // Removes a keyframe, its observations, and landmarks left with fewer than two.
   void RemoveKeyframe(uint32_t index);

@@ -18,7 +18,7 @@ struct BundleObservation {
   uint32_t camera = 0;  // into BundleProblem::cameras
   uint32_t point = 0;   // into BundleProblem::points
   Eigen::Vector2d x_normalized = Eigen::Vector2d::Zero();
-  double sigma = 1.0;   // normalised units
+  double sigma = 1.0;  // normalised units
 };
 
 // Cameras, points and who sees whom; a copy that may be solved on any thread.
@@ -31,6 +31,7 @@ struct BundleProblem {
 struct BundleOptions {
   int max_iterations = 10;
   double loss_sigmas = 1.0;  // scale of the Cauchy loss in residuals of one sigma; 0: squared error
+  double function_tolerance = 1e-5;  // stops where a step lowers the cost by a smaller share
 };
 
 struct BundleReport {

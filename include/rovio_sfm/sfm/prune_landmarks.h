@@ -18,14 +18,14 @@ struct PruneReport {
 };
 
 // Removes observations with a large reprojection error or behind their camera, then landmarks that
-// are left with fewer than two views or with too little parallax; of the given tracks (those without
-// a landmark are passed over), or of all.
+// are left with fewer than two views or with too little parallax; of the given tracks (those
+// without a landmark are passed over), or of all.
 PruneReport PruneLandmarks(const std::vector<TrackId>& tracks, const PruneLandmarksOptions& options,
                            Session* session);
 PruneReport PruneAllLandmarks(const PruneLandmarksOptions& options, Session* session);
 
-// The robust spread of the reprojection errors, in sigmas: 1.4826 times the median of the residuals'
-// components. Zero for a session without landmarks.
+// The robust spread of the reprojection errors, in sigmas: 1.4826 times the median of the
+// residuals' components. Zero for a session without landmarks.
 double ResidualSpread(const Session& session);
 
 }  // namespace rovio_sfm

@@ -17,9 +17,9 @@ constexpr int kPoseSize = 7;
 // into the first columns, so it must be used with that manifold alone. The caller owns the result.
 ceres::CostFunction* MakeReprojectionCost(const Eigen::Vector2d& x_normalized, double sigma);
 
-// rotation <- Exp(w) * rotation, translation <- translation + v. With fixed_component 0, 1 or 2 that
-// component of the translation stays (the scale gauge of an adjustment); with -1 none does. The
-// caller owns the result.
+// rotation <- Exp(w) * rotation, translation <- translation + v. With fixed_component 0, 1 or 2
+// that component of the translation stays (the scale gauge of an adjustment); with -1 none does.
+// The caller owns the result.
 ceres::Manifold* MakePoseManifold(int fixed_component);
 
 }  // namespace rovio_sfm

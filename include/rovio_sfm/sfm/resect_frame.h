@@ -20,8 +20,8 @@ struct Resection {
   std::vector<uint32_t> inliers;  // into the observations, ascending
 };
 
-// The pose of a frame from 2D-3D matches: EPnP inside RANSAC (§3.7.1), then motion-only refinement on
-// the inliers, twice. Nothing where no sample gives a pose with at least 6 inliers.
+// The pose of a frame from 2D-3D matches: EPnP inside RANSAC (§3.7.1), then motion-only refinement
+// on the inliers, twice. Nothing where no sample gives a pose with at least 6 inliers.
 std::optional<Resection> ResectFrame(const std::vector<PoseObservation>& observations,
                                      const ResectFrameOptions& options, Rng& rng);
 

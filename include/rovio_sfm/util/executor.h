@@ -11,9 +11,9 @@
 
 namespace rovio_sfm {
 
-// Threads that run pure functions beside the caller, each thread its own tasks in turn. Results come
-// back as futures and are consumed in the caller's order, so they never depend on the threads. With
-// no threads a task runs at once, in Submit. The destructor finishes what is queued.
+// Threads that run pure functions beside the caller, each thread its own tasks in turn. Results
+// come back as futures and are consumed in the caller's order, so they never depend on the threads.
+// With no threads a task runs at once, in Submit. The destructor finishes what is queued.
 class Executor {
  public:
   explicit Executor(int num_threads) {

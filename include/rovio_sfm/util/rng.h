@@ -11,11 +11,11 @@ class Rng {
   explicit Rng(uint64_t seed);
 
   uint64_t Next();
-  double Uniform();                            // [0, 1)
-  double Uniform(double low, double high);     // [low, high)
-  uint32_t UniformInt(uint32_t count);         // 0 … count-1; count > 0
-  double Gaussian();                           // mean 0, standard deviation 1
-  Rng Fork(uint64_t stream);                   // an independent generator; advances this one
+  double Uniform();                         // [0, 1)
+  double Uniform(double low, double high);  // [low, high)
+  uint32_t UniformInt(uint32_t count);      // 0 … count-1; count > 0
+  double Gaussian();                        // mean 0, standard deviation 1
+  Rng Fork(uint64_t stream);                // an independent generator; advances this one
 
  private:
   uint64_t state_;
