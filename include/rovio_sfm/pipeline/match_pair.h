@@ -17,7 +17,7 @@ namespace rovio_sfm {
 struct PairOptions {
   MatchOptions match;
   float max_ratio = 0.8f;        // Lowe's, τ_u; 0.1 to 1
-  float max_mean_factor = 1.5f;  // τ_κ of the percentile filter; 0.1 to 10
+  float max_mean_factor = 2.0f;  // τ_κ of the percentile filter; 0.1 to 10
   VerifyPairOptions verify;
   bool use_guided = true;  // the second pass along the epipolar band, for general pairs
   GuidedOptions guided;
