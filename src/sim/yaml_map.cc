@@ -17,17 +17,22 @@ bool ConvertFinite(const YAML::Node& node, double* value) {
 
 }  // namespace
 
-YamlMap::YamlMap(const YAML::Node& node, std::string where)
-    : node_(node), where_(std::move(where)) {
-  if (!node_.IsMap()) throw std::runtime_error(where_ + ": expected a mapping");
+YamlMap::YamlMap(const YAML::Node& node, std::string where) : where_(std::move(where)) {
+  if (!node.IsMap()) throw std::runtime_error(where_ + ": expected a mapping");
+  for (const auto& entry : node) {
+    if (!entry.first.IsScalar()) throw std::runtime_error(where_ + ": expected plain keys");
+    if (!entries_.emplace(entry.first.Scalar(), entry.second).second) {
+      throw std::runtime_error(where_ + ": key " + entry.first.Scalar() + " stands twice");
+    }
+  }
 }
 
-bool YamlMap::Has(const std::string& key) const { return node_[key].IsDefined(); }
+bool YamlMap::Has(const std::string& key) const { return entries_.count(key) == 1; }
 
 YAML::Node YamlMap::Get(const std::string& key) {
   if (!Has(key)) throw std::runtime_error(where_ + ": key " + key + " is missing");
   used_.insert(key);
-  return node_[key];
+  return entries_.at(key);
 }
 
 void YamlMap::Fail(const std::string& key, const std::string& expected) const {
@@ -137,8 +142,7 @@ Rigid3 YamlMap::Placement() {
 }
 
 void YamlMap::Finish() const {
-  for (const auto& entry : node_) {
-    const std::string key = entry.first.Scalar();
+  for (const auto& [key, node] : entries_) {
     if (used_.count(key) == 0) throw std::runtime_error(where_ + ": unknown key " + key);
   }
 }

@@ -3,6 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <Eigen/Core>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -42,7 +43,7 @@ class YamlMap {
   YAML::Node Get(const std::string& key);
   [[noreturn]] void Fail(const std::string& key, const std::string& expected) const;
 
-  YAML::Node node_;
+  std::map<std::string, YAML::Node> entries_;  // looked up often; a node searches slowly
   std::string where_;
   std::set<std::string> used_;
 };
