@@ -75,6 +75,7 @@ void ReadImages(OptionReader reader, ImageReaderOptions* images) {
   images->parser.max_part_bytes = max_bytes;
   images->max_pixels = max_pixels;
   reader.Read("max_stream_failures", &images->max_stream_failures);
+  reader.Read("max_image_gap_s", &images->max_image_gap_s);
   reader.Read("stream_retry_period_s", &images->stream_retry_period_s);
   reader.RefuseUnknown();
 }

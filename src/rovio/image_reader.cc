@@ -32,8 +32,11 @@ std::string ReasonOf(const HttpResponse& response, const MjpegParser* parser) {
 
 bool ImageReaderOptions::IsValid(std::string* error) const {
   if (!parser.IsValid(error) || !back_off.IsValid(error)) return false;
-  if (max_pixels < 1024 || max_stream_failures < 1 || stream_retry_period_s < 1.0) {
-    *error = "max_pixels >= 1024, max_stream_failures >= 1, stream_retry_period_s >= 1";
+  if (max_pixels < 1024 || max_stream_failures < 1 || !(stream_retry_period_s >= 1.0) ||
+      !(max_image_gap_s >= 0.5)) {
+    *error =
+        "images: max_pixels >= 1024, max_stream_failures >= 1, stream_retry_period_s >= 1, "
+        "max_image_gap_s >= 0.5";
     return false;
   }
   return true;
@@ -85,7 +88,8 @@ void ImageReader::NoteFailure(bool was_stream) {
   ++counters_.num_failures;
   has_failed_ = true;
   if (counters_.num_images != num_images_before_) num_stream_failures_ = 0;
-  if (!was_stream || ++num_stream_failures_ < options_.max_stream_failures) return;
+  if (!was_stream || !is_stream_suspect_) return;
+  if (++num_stream_failures_ < options_.max_stream_failures) return;
   num_stream_failures_ = 0;
   stills_until_ns_ = callbacks_.now_ns() + Nanoseconds(options_.stream_retry_period_s);
 }
@@ -101,8 +105,13 @@ std::string ImageReader::ReadStream() {
     });
     return true;
   };
+  last_image_ns_ = callbacks_.now_ns();
+  bool is_idle = false;
   const auto on_bytes = [&](std::string_view bytes) {
-    return parser->Feed(bytes, callbacks_.now_ns());
+    const int64_t now_ns = callbacks_.now_ns();
+    if (!parser->Feed(bytes, now_ns)) return false;
+    is_idle = now_ns - last_image_ns_ > Nanoseconds(options_.max_image_gap_s);
+    return !is_idle;
   };
   const HttpResponse response = transport_->Stream(StreamTarget(), {on_header, on_bytes});
   const MjpegFault fault = parser ? parser->Fault() : MjpegFault::kNone;
@@ -112,6 +121,9 @@ std::string ImageReader::ReadStream() {
     ++counters_.num_malformed;
   }
   CountFault(response.fault);
+  const bool would_stills_fail = response.fault == HttpFault::kConnect || response.status == 401;
+  is_stream_suspect_ = !would_stills_fail && counters_.num_images == num_images_before_;
+  if (is_idle) return "stream: bytes, but no image";
   return ReasonOf(response, parser ? &*parser : nullptr);
 }
 
@@ -151,6 +163,7 @@ void ImageReader::TakeImage(CameraImage image, ImageLink link) {
   SetLink(link, "images arrive");
   image.stamp_ns = std::max(image.stamp_ns, last_stamp_ns_ + 1);  // stamps rise, whatever the clock
   last_stamp_ns_ = image.stamp_ns;
+  last_image_ns_ = image.complete_ns;
   image.width_px = info.width_px;
   image.height_px = info.height_px;
   callbacks_.on_image(std::move(image));

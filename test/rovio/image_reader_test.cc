@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "rovio/fake_http_transport.h"
 #include "rovio/jpeg_sample.h"
 
@@ -154,6 +156,16 @@ TEST(ImageReader, AStreamOfDamagedImagesOnlyIsAFailure) {
   run.Run(2);
   EXPECT_TRUE(run.images.empty());
   EXPECT_EQ(run.links, (std::vector<ImageLink>{ImageLink::kDown}));
+}
+
+TEST(ImageReader, LeavesAStreamThatIdlesWithoutImages) {
+  ReaderRun run({});
+  FakeHttpTransport::StreamScript idle = StreamOf({JpegSample(640, 480)});
+  idle.chunks.insert(idle.chunks.end(), 5000, "\r\n");  // the test's clock: some ms a chunk
+  run.robot.AnswerStream(idle);
+  run.Run(1);
+  EXPECT_EQ(run.images.size(), 1u);
+  EXPECT_EQ(run.reasons.back(), "stream: bytes, but no image");
 }
 
 TEST(ReaderGate, AClosedGateHoldsUntilItIsOpenedOrStopped) {

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
+#include <vector>
+
 #include "rovio/fake_http_transport.h"
 
 namespace rovio_sfm {

@@ -20,7 +20,8 @@ struct ImageReaderOptions {
   ImageSource source = ImageSource::kAuto;
   MjpegParserOptions parser;
   size_t max_pixels = 1024 * 1024;
-  int max_stream_failures = 2;        // in a row without an image; then stills stand in …
+  int max_stream_failures = 2;        // of a robot that answers; then stills stand in …
+  double max_image_gap_s = 3.0;       // of a stream that sends bytes, but no image
   double stream_retry_period_s = 20;  // … for so long
   BackOffOptions back_off;
 
@@ -92,9 +93,11 @@ class ImageReader {
   ImageLink link_ = ImageLink::kConnecting;
   bool has_failed_ = false;
   uint64_t num_images_before_ = 0;  // when the present attempt began
+  bool is_stream_suspect_ = false;  // gave no image, where stills might
   int num_stream_failures_ = 0;
   int64_t stills_until_ns_ = INT64_MIN;
   int64_t last_stamp_ns_ = INT64_MIN;
+  int64_t last_image_ns_ = 0;  // when the newest image was here, or the stream began
 };
 
 }  // namespace rovio_sfm
