@@ -70,7 +70,9 @@ Vector3f World::Radiance(const Vector3f& origin, const Vector3f& direction, cons
   const Vector3f reflected = Reflect(direction, normal, surface.roughness, chance);
   RayHit next = scene_.Trace(point, reflected);
   next.distance += hit.distance;
-  return (1.0f - share) * diffuse + share * Diffuse(reflected, next, spread_rad);
+  // Lamps in reflections are dimmed, or their few bright samples would sparkle.
+  const Vector3f mirrored = Diffuse(reflected, next, spread_rad).cwiseMin(1.5f);
+  return (1.0f - share) * diffuse + share * mirrored;
 }
 
 }  // namespace rovio_sfm::sim
