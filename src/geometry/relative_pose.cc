@@ -18,25 +18,40 @@ struct PoseSystem {
   double cost = 0.0;
 };
 
+// Cauchy's loss of a squared residual, or the squared residual itself where the scale is 0.
+double Loss(double squared_residual, double scale) {
+  if (scale <= 0.0) return squared_residual;
+  return scale * scale * std::log1p(squared_residual / (scale * scale));
+}
+
+// The derivative of Loss: the weight of a residual in the normal equations.
+double Weight(double squared_residual, double scale) {
+  return scale <= 0.0 ? 1.0 : 1.0 / (1.0 + squared_residual / (scale * scale));
+}
+
 PoseSystem Linearize(const std::vector<Eigen::Vector2d>& points_a,
-                     const std::vector<Eigen::Vector2d>& points_b, const Rigid3& b_from_a) {
+                     const std::vector<Eigen::Vector2d>& points_b, const Rigid3& b_from_a,
+                     double loss_scale) {
   const SampsonEvaluator evaluator(b_from_a);
   PoseSystem system;
   for (size_t i = 0; i < points_a.size(); ++i) {
     const SampsonResidual residual = evaluator.Evaluate(points_a[i], points_b[i]);
-    system.normal += residual.jacobian.transpose() * residual.jacobian;
-    system.gradient += residual.value * residual.jacobian.transpose();
-    system.cost += residual.value * residual.value;
+    const double squared = residual.value * residual.value;
+    const double weight = Weight(squared, loss_scale);
+    system.normal += weight * residual.jacobian.transpose() * residual.jacobian;
+    system.gradient += weight * residual.value * residual.jacobian.transpose();
+    system.cost += Loss(squared, loss_scale);
   }
   return system;
 }
 
 double SampsonCost(const std::vector<Eigen::Vector2d>& points_a,
-                   const std::vector<Eigen::Vector2d>& points_b, const Rigid3& b_from_a) {
+                   const std::vector<Eigen::Vector2d>& points_b, const Rigid3& b_from_a,
+                   double loss_scale) {
   const Eigen::Matrix3d essential = EssentialFromPose(b_from_a);
   double cost = 0.0;
   for (size_t i = 0; i < points_a.size(); ++i) {
-    cost += SquaredSampsonError(essential, points_a[i], points_b[i]);
+    cost += Loss(SquaredSampsonError(essential, points_a[i], points_b[i]), loss_scale);
   }
   return cost;
 }
@@ -102,18 +117,18 @@ Rigid3 ApplyPoseStep(const Rigid3& b_from_a, const Eigen::Matrix<double, 5, 1>& 
 
 std::optional<Rigid3> RefineRelativePose(const std::vector<Eigen::Vector2d>& points_a,
                                          const std::vector<Eigen::Vector2d>& points_b,
-                                         const Rigid3& b_from_a, int max_steps) {
+                                         const Rigid3& b_from_a, int max_steps, double loss_scale) {
   constexpr double kConverged = 1e-6;  // relative change of the cost
   if (points_a.size() < 5 || points_a.size() != points_b.size()) return std::nullopt;
   if (!(b_from_a.translation.norm() > 0.0)) return std::nullopt;
   Rigid3 pose{b_from_a.rotation, b_from_a.translation.normalized()};
-  PoseSystem system = Linearize(points_a, points_b, pose);
+  PoseSystem system = Linearize(points_a, points_b, pose, loss_scale);
   double damping = 1e-4;
   for (int step = 0; step < max_steps; ++step) {
     Matrix5d damped = system.normal;
     damped.diagonal() *= 1.0 + damping;
     const Rigid3 candidate = ApplyPoseStep(pose, -damped.ldlt().solve(system.gradient));
-    const double cost = SampsonCost(points_a, points_b, candidate);
+    const double cost = SampsonCost(points_a, points_b, candidate, loss_scale);
     if (!(cost < system.cost)) {
       damping *= 10.0;
       continue;
@@ -122,7 +137,7 @@ std::optional<Rigid3> RefineRelativePose(const std::vector<Eigen::Vector2d>& poi
     pose = candidate;
     if (converged) break;
     damping *= 0.1;
-    system = Linearize(points_a, points_b, pose);
+    system = Linearize(points_a, points_b, pose, loss_scale);
   }
   return pose;
 }

@@ -18,6 +18,9 @@ namespace {
 constexpr int kMinIterations =
     50;  // a few more samples than needed give local optimisation a choice
 
+constexpr int kMaxRefineSteps = 10;
+constexpr double kLossScale = 0.67;  // of Cauchy's loss, in thresholds
+
 // Thresholds on the plane z = 1, and the matches sorted for PROSAC.
 struct PairProblem {
   const VerifyPairOptions& options;
@@ -59,6 +62,16 @@ double Median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+// The matches whose squared residual is below the squared threshold.
+template <typename Residual>
+std::vector<uint32_t> SelectWithin(const PointPairs& points, double threshold, Residual residual) {
+  std::vector<uint32_t> selected;
+  for (uint32_t i = 0; i < points.Count(); ++i) {
+    if (residual(points.a[i], points.b[i]) < threshold * threshold) selected.push_back(i);
+  }
+  return selected;
 }
 
 // The distance of each match from a pure rotation, on the plane z = 1.
@@ -123,31 +136,35 @@ double HomographyShare(const PairProblem& problem, const PointPairs& inliers, do
   return sum > 0.0 ? homography_score / sum : 0.0;
 }
 
+// The pose of the five-point model, refined on all matches of twice the threshold with a robust
+// loss: cutting the noise off at the threshold would bias it.
+std::optional<Rigid3> RefinePose(const PairProblem& problem, const Rigid3& start) {
+  const Eigen::Matrix3d essential = EssentialFromPose(start);
+  const std::vector<uint32_t> selected =
+      SelectWithin(problem.points, 2.0 * problem.Threshold(),
+                   [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+                     return SquaredSampsonError(essential, a, b);
+                   });
+  const PointPairs near = problem.points.Select(selected);
+  return RefineRelativePose(near.a, near.b, start, kMaxRefineSteps,
+                            kLossScale * problem.Threshold());
+}
+
 // The relative pose from the inliers of an essential matrix, by the method asked for.
-std::optional<Rigid3> EstimatePose(const PointPairs& inliers, const Eigen::Matrix3d& essential,
-                                   PairPoseMethod method) {
-  if (method == PairPoseMethod::kAlgebraic) {
+std::optional<Rigid3> EstimatePose(const PairProblem& problem, const PointPairs& inliers,
+                                   const Eigen::Matrix3d& essential) {
+  if (problem.options.pose_method == PairPoseMethod::kAlgebraic) {
     const auto algebraic = EstimateAlgebraic(inliers.a, inliers.b);
     if (algebraic) return PoseFromEssential(*algebraic, inliers.a, inliers.b);
   }
   const auto pose = PoseFromEssential(essential, inliers.a, inliers.b);
-  if (!pose) return std::nullopt;
-  return RefineRelativePose(inliers.a, inliers.b, *pose);
+  return pose ? RefinePose(problem, *pose) : std::nullopt;
 }
 
 bool IsRotation(const PairProblem& problem, double median_flow, double median_error) {
   const VerifyPairOptions& options = problem.options;
   return median_flow * problem.focal_px < options.min_flow_px ||
          median_flow < options.min_flow_noise_ratio * median_error;
-}
-
-template <typename Residual>
-std::vector<uint32_t> SelectWithin(const PointPairs& points, double threshold, Residual residual) {
-  std::vector<uint32_t> selected;
-  for (uint32_t i = 0; i < points.Count(); ++i) {
-    if (residual(points.a[i], points.b[i]) < threshold * threshold) selected.push_back(i);
-  }
-  return selected;
 }
 
 // Fills in the result from the final inliers, given as elements of problem.points.
@@ -187,7 +204,7 @@ void FinishRotation(const PairProblem& problem, const Eigen::Quaterniond& rotati
 
 void FinishTranslation(const PairProblem& problem, const PointPairs& inliers,
                        const Eigen::Matrix3d& essential, PairVerification* result) {
-  const auto pose = EstimatePose(inliers, essential, problem.options.pose_method);
+  const auto pose = EstimatePose(problem, inliers, essential);
   if (!pose) return;
   result->verdict = result->homography_share > problem.options.max_homography_share
                         ? PairVerdict::kPlanar

@@ -87,6 +87,16 @@ TEST(RefineRelativePose, StaysNearWithNoise) {
   EXPECT_LT((pose->translation - pair.b_from_a.translation).norm(), 0.03);
 }
 
+TEST(RefineRelativePose, BearsWrongMatchesWithARobustLoss) {
+  Pair pair = MakePair(0.3);
+  for (size_t i = 0; i < pair.points_b.size(); i += 10) pair.points_b[i].y() += 0.02;
+  const auto plain = RefineRelativePose(pair.points_a, pair.points_b, pair.b_from_a, 20);
+  const auto robust = RefineRelativePose(pair.points_a, pair.points_b, pair.b_from_a, 20, 1e-3);
+  ASSERT_TRUE(plain && robust);
+  EXPECT_LT(RotationError(*robust, pair.b_from_a), 0.002);
+  EXPECT_LT(RotationError(*robust, pair.b_from_a), RotationError(*plain, pair.b_from_a));
+}
+
 TEST(RefineRelativePose, RefusesEmptyUnequalAndZeroTranslation) {
   const Pair pair = MakePair(0.0);
   EXPECT_FALSE(RefineRelativePose({}, {}, pair.b_from_a));

@@ -35,10 +35,12 @@ Rigid3 ApplyPoseStep(const Rigid3& b_from_a, const Eigen::Matrix<double, 5, 1>& 
 
 // Levenberg-Marquardt on the Sampson error of all matches over rotation and direction of the
 // translation; never worse than the start. Nothing for fewer than 5 matches, unequal counts or a
-// translation of length 0. The translation returned has length 1.
+// translation of length 0. The translation returned has length 1. With a loss_scale above 0 (on the
+// plane z = 1) the errors go through Cauchy's loss of that scale.
 std::optional<Rigid3> RefineRelativePose(const std::vector<Eigen::Vector2d>& points_a,
                                          const std::vector<Eigen::Vector2d>& points_b,
-                                         const Rigid3& b_from_a, int max_steps = 10);
+                                         const Rigid3& b_from_a, int max_steps = 10,
+                                         double loss_scale = 0.0);
 
 // The rotation b_from_a that best turns the rays of a onto those of b, for cameras in one place.
 // Nothing for fewer than 2 matches or unequal counts.
