@@ -45,12 +45,14 @@ def still(base):
 
 
 def stream(base):
-    """Three seconds of MJPEG: the boundary, whole JPEGs between, no length in the parts."""
-    head, body = curl(base + "/GetData.cgi", seconds=3)
-    parts = body.split(b"--WINBONDBOUDARY")
-    whole = [part for part in parts[1:-1] if b"\xff\xd8" in part and END in part[-8:]]
-    return (head.startswith("HTTP/1.0 200") and "multipart/x-mixed-replace" in head
-            and "WINBONDBOUDARY" in head and len(whole) >= 3)
+    """Ten seconds of MJPEG: the robot's boundary, no length in the parts, whole JPEGs in them."""
+    head, body = curl(base + "/GetData.cgi", seconds=10)
+    parts = body.split(b"--WINBONDBOUDARY\r\nContent-Type: image/jpeg\r\n\r\n")
+    whole = [part for part in parts[1:-1]
+             if part.startswith(b"\xff\xd8") and part.rstrip(b"\r\n").endswith(END)]
+    return (head.startswith("HTTP/1.0 200")
+            and "Content-Type: multipart/x-mixed-replace;boundary=WINBONDBOUDARY" in head
+            and len(whole) >= 2 and len(whole) == len(parts) - 2)
 
 
 def refused_login(base):
