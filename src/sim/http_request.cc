@@ -84,8 +84,8 @@ std::optional<HttpRequest> ParseRequestHead(std::string_view head) {
   return request;
 }
 
-RequestReader::RequestReader(TcpConnection& connection, int timeout_ms)
-    : connection_(connection), timeout_ms_(timeout_ms) {}
+RequestReader::RequestReader(TcpConnection& connection, int idle_timeout_ms, int timeout_ms)
+    : connection_(connection), idle_timeout_ms_(idle_timeout_ms), timeout_ms_(timeout_ms) {}
 
 RequestStatus RequestReader::ReadNext(HttpRequest* request) {
   std::string head;
@@ -101,7 +101,7 @@ RequestStatus RequestReader::ReadHead(std::string* head) {
   size_t line_begin = 0;
   for (size_t i = 0;; ++i) {
     while (i >= pending_.size()) {
-      if (!ReadMore()) return RequestStatus::kClosed;
+      if (!ReadMore(i == 0 ? idle_timeout_ms_ : timeout_ms_)) return RequestStatus::kClosed;
     }
     if (i >= kMaxHeadBytes || i - line_begin >= kMaxHeaderLineBytes) return RequestStatus::kBad;
     if (pending_[i] != '\n') continue;
@@ -126,7 +126,7 @@ RequestStatus RequestReader::ReadBody(HttpRequest* request) {
   if (wanted >= kMaxPostBytes) {
     size_t drained = 0;
     while (drained < std::min(wanted, kMaxDrainedBytes)) {
-      if (pending_.empty() && !ReadMore()) return RequestStatus::kClosed;
+      if (pending_.empty() && !ReadMore(timeout_ms_)) return RequestStatus::kClosed;
       const size_t taken = std::min(pending_.size(), wanted - drained);
       pending_.erase(0, taken);
       drained += taken;
@@ -134,7 +134,7 @@ RequestStatus RequestReader::ReadBody(HttpRequest* request) {
     return RequestStatus::kPostTooLarge;
   }
   while (pending_.size() < wanted) {
-    if (!ReadMore()) return RequestStatus::kClosed;
+    if (!ReadMore(timeout_ms_)) return RequestStatus::kClosed;
   }
   if (request->method == "POST") {
     std::string body = pending_.substr(0, wanted);
@@ -145,9 +145,9 @@ RequestStatus RequestReader::ReadBody(HttpRequest* request) {
   return RequestStatus::kComplete;
 }
 
-bool RequestReader::ReadMore() {
+bool RequestReader::ReadMore(int timeout_ms) {
   constexpr size_t kChunkBytes = 2048;
-  return connection_.Read(kChunkBytes, timeout_ms_, &pending_) == ReadStatus::kData;
+  return connection_.Read(kChunkBytes, timeout_ms, &pending_) == ReadStatus::kData;
 }
 
 }  // namespace rovio_sfm::sim

@@ -22,7 +22,11 @@ std::string ImagePart(const Picture& picture) {
 }
 
 bool Send(TcpConnection& connection, const std::string& bytes, ServerContext& context) {
-  return WaitWhileSilent(context) && connection.Write(bytes, context.options.io_timeout_ms);
+  return WaitWhileSilent(context) && connection.Write(bytes, context.options.request_timeout_ms);
+}
+
+bool ResetStrikes(ServerContext& context) {
+  return context.quirks.With([](Quirks& quirks) { return quirks.Strikes(Quirk::kResetStream); });
 }
 
 }  // namespace
@@ -63,6 +67,7 @@ void PushStream(TcpConnection& connection, const HttpRequest& request, const Cal
     if (with_status) bytes += StatusPart(caller, context);
     if (bytes.empty()) bytes = "\r\n";
     if (!Send(connection, bytes, context)) return;
+    if (ResetStrikes(context)) return connection.ResetOnClose();
     next = context.frames.WaitForNewer(sent_number, idle);
   }
 }

@@ -18,6 +18,8 @@ const std::array<QuirkInfo, kNumQuirks>& AllQuirks() {
        "every Nth still ends early"},
       {Quirk::kResetEvery, "reset_every", QuirkKind::kEveryNth, kMaxNth,
        "every Nth request is reset"},
+      {Quirk::kResetStream, "reset_stream", QuirkKind::kEveryNth, kMaxNth,
+       "a stream is reset after N parts"},
       {Quirk::kRequireLogin, "require_login", QuirkKind::kValue, 1.0, "1: check passwords"},
       {Quirk::kHangBlocksAll, "hang_blocks_all", QuirkKind::kValue, 1.0,
        "1: one request at a time"},

@@ -19,7 +19,8 @@ class Dialogue {
       : connection_(connection), context_(context), go_away_(go_away) {}
 
   void Run() {
-    RequestReader reader(connection_, context_.options.io_timeout_ms);
+    RequestReader reader(connection_, context_.options.idle_timeout_ms,
+                         context_.options.request_timeout_ms);
     goes_on_ = true;
     for (int left = kKeepAliveRequests; goes_on_ && left > 0; --left) {
       HttpRequest request;
@@ -82,7 +83,7 @@ class Dialogue {
     const std::string bytes = Serialize(response);
     goes_on_ = false;
     connection_.Write(bytes.substr(0, bytes.size() - response.body.size() / 2),
-                      context_.options.io_timeout_ms);
+                      context_.options.request_timeout_ms);
   }
 
   void SendStream(const HttpRequest& request, const Caller& caller) {
@@ -123,7 +124,7 @@ class Dialogue {
   }
 
   void Send(const HttpResponse& response) {
-    goes_on_ = connection_.Write(Serialize(response), context_.options.io_timeout_ms);
+    goes_on_ = connection_.Write(Serialize(response), context_.options.request_timeout_ms);
   }
 
   TcpConnection& connection_;

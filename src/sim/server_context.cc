@@ -2,14 +2,10 @@
 
 #include <utility>
 
+#include "rovio_sfm/util/option_checker.h"
+
 namespace rovio_sfm::sim {
 namespace {
-
-bool RequireAtLeast(const char* name, int64_t value, int64_t least, std::string* error) {
-  if (value >= least) return true;
-  *error = std::string(name) + " = " + std::to_string(value) + " is below " + std::to_string(least);
-  return false;
-}
 
 void ShowQuirks(ServerContext& context, RobotSnapshot* snapshot) {
   context.quirks.With([&](Quirks& quirks) {
@@ -23,10 +19,14 @@ void ShowQuirks(ServerContext& context, RobotSnapshot* snapshot) {
 }  // namespace
 
 bool HttpFaceOptions::IsValid(std::string* error) const {
-  return RequireAtLeast("drive_hold_ns", drive_hold_ns, 1, error) &&
-         RequireAtLeast("reboot_ns", reboot_ns, 0, error) &&
-         RequireAtLeast("stream_idle_ns", stream_idle_ns, 1, error) &&
-         RequireAtLeast("io_timeout_ms", io_timeout_ms, 1, error);
+  constexpr int64_t kHour_ns = 3'600'000'000'000;
+  OptionChecker check("face", error);
+  check.Range<int64_t>("drive_hold_ns", drive_hold_ns, 1, kHour_ns);
+  check.Range<int64_t>("reboot_ns", reboot_ns, 0, kHour_ns);
+  check.Range<int64_t>("stream_idle_ns", stream_idle_ns, 1, kHour_ns);
+  check.Range("request_timeout_ms", request_timeout_ms, 1, 3'600'000);
+  check.Range("idle_timeout_ms", idle_timeout_ms, 1, 3'600'000);
+  return check.Passed();
 }
 
 ServerContext::ServerContext(const HttpFaceOptions& face_options, RobotBackend& backend,

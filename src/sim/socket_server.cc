@@ -4,19 +4,15 @@
 #include <utility>
 
 #include "rovio_sfm/util/log.h"
+#include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm::sim {
 
 bool SocketServerOptions::IsValid(std::string* error) const {
-  if (port < 0 || port > 65535) {
-    *error = "port = " + std::to_string(port) + " is outside 0 … 65535";
-    return false;
-  }
-  if (max_connections < 1 || max_connections > 1000) {
-    *error = "max_connections = " + std::to_string(max_connections) + " is outside 1 … 1000";
-    return false;
-  }
-  return true;
+  OptionChecker check("socket", error);
+  check.Range("port", port, 0, 65535);
+  check.Range("max_connections", max_connections, 1, 1000);
+  return check.Passed();
 }
 
 SocketServer::SocketServer(SocketServerOptions options, Handler handler)

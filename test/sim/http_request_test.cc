@@ -48,7 +48,7 @@ class Requests : public testing::Test {
     ASSERT_NE(listener_, nullptr) << error;
     client_ = std::make_unique<RawClient>(listener_->port());
     connection_ = listener_->Accept();
-    reader_ = std::make_unique<RequestReader>(*connection_, 1000);
+    reader_ = std::make_unique<RequestReader>(*connection_, 1000, 1000);
   }
   RequestStatus Next() { return reader_->ReadNext(&request_); }
 

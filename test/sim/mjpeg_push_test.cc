@@ -69,6 +69,16 @@ TEST_F(MjpegPush, EndsWhenTheClientIsGone) {
   pushing_.join();
 }
 
+TEST_F(MjpegPush, QuirkResetsTheStreamAfterItsParts) {
+  std::string error;
+  context_.quirks.With([&](Quirks& quirks) { return quirks.Set("reset_stream", 3, 0, &error); });
+  StartPush("");
+  pushing_.join();
+  connection_.reset();
+  client_->ReadToEnd();
+  EXPECT_TRUE(client_->was_reset());
+}
+
 TEST_F(MjpegPush, WaitForAFreshPictureEndsWhenTheClientIsGone) {
   client_.reset();
   EXPECT_FALSE(WaitForFreshPicture(*connection_, context_.frames));

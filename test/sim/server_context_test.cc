@@ -35,7 +35,7 @@ TEST(HttpFaceOptions, NamesOptionValueAndBound) {
   options.drive_hold_ns = 0;
   std::string error;
   EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_EQ(error, "drive_hold_ns = 0 is below 1");
+  EXPECT_EQ(error, "face.drive_hold_ns = 0: expected 1 to 3600000000000");
 }
 
 }  // namespace

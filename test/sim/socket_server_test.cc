@@ -84,7 +84,7 @@ TEST(SocketServer, NamesOptionsOutOfRange) {
   options.port = 65536;
   std::string error;
   EXPECT_FALSE(SocketServer(options, Echo).Start(&error));
-  EXPECT_EQ(error, "port = 65536 is outside 0 … 65535");
+  EXPECT_EQ(error, "socket.port = 65536: expected 0 to 65535");
 }
 
 }  // namespace

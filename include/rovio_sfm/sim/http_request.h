@@ -33,7 +33,8 @@ enum class RequestStatus { kComplete, kBad, kPostTooLarge, kClosed };
 // The requests of one connection, one after the other (pipelined ones too). Not thread-safe.
 class RequestReader {
  public:
-  RequestReader(TcpConnection& connection, int timeout_ms);
+  // The time-outs of a request's first bytes and of the rest.
+  RequestReader(TcpConnection& connection, int idle_timeout_ms, int timeout_ms);
 
   // Blocks for the next request; *request is valid with kComplete and kPostTooLarge.
   RequestStatus ReadNext(HttpRequest* request);
@@ -41,10 +42,10 @@ class RequestReader {
  private:
   RequestStatus ReadHead(std::string* head);
   RequestStatus ReadBody(HttpRequest* request);
-  bool ReadMore();
+  bool ReadMore(int timeout_ms);
 
   TcpConnection& connection_;
-  const int timeout_ms_;
+  const int idle_timeout_ms_, timeout_ms_;
   std::string pending_;  // received, not yet consumed
 };
 

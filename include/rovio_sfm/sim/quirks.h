@@ -16,6 +16,7 @@ enum class Quirk {
   kTruncateJpeg,   // every Nth picture ends half-way
   kShortBody,      // every Nth still ends before its announced length
   kResetEvery,     // every Nth request is answered by a reset of its connection
+  kResetStream,    // every Nth part of a stream is followed by a reset
   kRequireLogin,   // 1: passwords are checked (the same switch as SetUserCheck.cgi)
   kHangBlocksAll,  // 1: one request at a time, so that a hanging still holds up everybody
   kSlowNav,        // s before each nav reply

@@ -21,10 +21,11 @@
 namespace rovio_sfm::sim {
 
 struct HttpFaceOptions {
-  int64_t drive_hold_ns = 250'000'000;     // how long a drive command acts; > 0. Real: >= ~200 ms
-  int64_t reboot_ns = 30'000'000'000;      // absence after Reboot.cgi; >= 0. The UI allows 30 s
-  int64_t stream_idle_ns = 1'000'000'000;  // without a picture the stream sends a CRLF; > 0
-  int io_timeout_ms = 60'000;              // of a read or write; > 0. The robot's is 60 s
+  int64_t drive_hold_ns = 250'000'000;     // [1 ns, 1 h] a drive command acts. Real: >= ~200 ms
+  int64_t reboot_ns = 30'000'000'000;      // [0, 1 h] away after Reboot.cgi. The UI allows 30 s
+  int64_t stream_idle_ns = 1'000'000'000;  // [1 ns, 1 h] without a picture, then a CRLF is sent
+  int request_timeout_ms = 60'000;         // [1 ms, 1 h] for the next bytes of a request or a reply
+  int idle_timeout_ms = 3'600'000;         // [1 ms, 1 h] between two requests of a connection
 
   bool IsValid(std::string* error) const;
 };
