@@ -25,9 +25,13 @@ std::array<float, kCurveSteps + 1> MakeSrgbCurve() {
   return curve;
 }
 
-// JPEG throws away part of the noise; so more is put in than shall be found in the decoded picture.
-// Measured with this encoder at its default quality.
-double InjectedSigma(double decoded_sigma) { return 1.06 * decoded_sigma; }
+// JPEG throws away part of the noise, the more the lower its quality; so more is put in than shall
+// be found in the decoded picture. Measured with this encoder for a sigma of about 10.
+double InjectedSigma(const DevelopOptions& options) {
+  constexpr int kFaithfulQuality = 80;
+  const int lost = std::max(kFaithfulQuality - options.jpeg_quality, 0);
+  return options.noise_sigma * (1.0 + 0.01 * lost);
+}
 
 // Light that every channel shares (the sensor's read noise after demosaicing), with little colour.
 struct Noise {
@@ -59,7 +63,7 @@ cv::Mat DevelopImage(const cv::Mat& linear_rgb, double exposure, const DevelopOp
                      uint64_t seed) {
   static const std::array<float, kCurveSteps + 1> curve = MakeSrgbCurve();
   ROVIO_CHECK(linear_rgb.type() == CV_32FC3 && options.IsValid(nullptr));
-  const double sigma = InjectedSigma(options.noise_sigma);
+  const double sigma = InjectedSigma(options);
   const double center_x = 0.5 * linear_rgb.cols, center_y = 0.5 * linear_rgb.rows;
   const double corner = center_x * center_x + center_y * center_y;
   cv::Mat bgr(linear_rgb.size(), CV_8UC3);

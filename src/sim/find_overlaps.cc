@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kDepthTolerance = 0.04;  // relative; depth is sampled coarsely
 
-// True if b's depth map has a surface about as far as the point, at or beside its pixel.
+// True if the point lies at the depth that b's map has around its pixel: a slanted floor spans a
+// range of depths between neighbouring samples.
 bool Sees(const Camera& camera, const Eigen::Vector3d& x_in_b, const cv::Mat& depth, int step_px) {
   if (x_in_b.z() <= 0.02) return false;
   const Eigen::Vector2d normalized = x_in_b.head<2>() / x_in_b.z();
@@ -18,12 +19,17 @@ bool Sees(const Camera& camera, const Eigen::Vector3d& x_in_b, const cv::Mat& de
   const int col = static_cast<int>(std::floor((x_px.x() + 0.5) / step_px));
   const int row = static_cast<int>(std::floor((x_px.y() + 0.5) / step_px));
   if (col < 0 || row < 0 || col >= depth.cols || row >= depth.rows) return false;
+  double nearest = depth.at<float>(row, col), farthest = nearest;
   for (int r = std::max(row - 1, 0); r <= std::min(row + 1, depth.rows - 1); ++r) {
-    for (int c = std::max(col - 1, 0); c <= std::min(col + 1, depth.cols - 1); ++c) {
-      if (std::abs(depth.at<float>(r, c) - x_in_b.z()) < kDepthTolerance * x_in_b.z()) return true;
-    }
+    nearest = std::min<double>(nearest, depth.at<float>(r, col));
+    farthest = std::max<double>(farthest, depth.at<float>(r, col));
   }
-  return false;
+  for (int c = std::max(col - 1, 0); c <= std::min(col + 1, depth.cols - 1); ++c) {
+    nearest = std::min<double>(nearest, depth.at<float>(row, c));
+    farthest = std::max<double>(farthest, depth.at<float>(row, c));
+  }
+  return x_in_b.z() > (1.0 - kDepthTolerance) * nearest &&
+         x_in_b.z() < (1.0 + kDepthTolerance) * farthest;
 }
 
 double AxisAngle(const Rigid3& a, const Rigid3& b) {

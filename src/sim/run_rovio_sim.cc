@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
+#include <vector>
 
+#include "rovio_sfm/sim/audit.h"
 #include "rovio_sfm/sim/config_folder.h"
 #include "rovio_sfm/sim/render_tour.h"
 #include "rovio_sfm/sim/serve.h"
@@ -17,6 +19,7 @@ struct Arguments {
   std::string images;
   bool repeats = false;
   bool serves = false;
+  std::vector<std::string> audit;  // world, tour
   std::string config_folder;
   ServeOptions serve;
   ServeRobotOptions robot;   // tour, seed, noise and shutter of --serve
@@ -42,6 +45,8 @@ void AddServeArguments(CLI::App& app, Arguments* arguments) {
 void AddRenderArguments(CLI::App& app, Arguments* arguments) {
   RenderTourOptions& render = arguments->render;
   app.add_option("--render", render.tour, "Render this tour, as fast as it goes, into --out");
+  app.add_option("--audit", arguments->audit, "WORLD TOUR: print the figures that keep it honest")
+      ->expected(2);
   app.add_option("--out", render.out_folder, "Folder for the data set of --render");
   app.add_flag("--overwrite", render.overwrite, "Write over a data set in --out");
   app.add_option("--frames", render.max_frames, "Only the first so many pictures; 0: all");
@@ -54,6 +59,17 @@ void AddRenderArguments(CLI::App& app, Arguments* arguments) {
       ->default_val(render.render.samples_per_side);
   app.add_option("--rolling-shutter", render.render.rolling_share,
                  "Share of the motion between first and last row, 0 … 0.9");
+}
+
+int AuditByArguments(const Arguments& arguments) {
+  AuditOptions audit;
+  audit.config_folder = FindConfigFolder(arguments.config_folder);
+  audit.world = arguments.audit.at(0);
+  audit.tour = arguments.audit.at(1);
+  audit.seed = arguments.render.seed;
+  audit.render = arguments.render.render;
+  audit.develop = arguments.render.develop;
+  return PrintAudit(Audit(audit), std::cout) ? 0 : 1;
 }
 
 int ServeByArguments(Arguments* arguments) {
@@ -95,6 +111,7 @@ int RunRovioSim(int argc, const char* const* argv) {
     return ServeImages(arguments.serve, arguments.images, arguments.repeats);
   }
   if (!arguments.render.tour.empty()) return RenderByArguments(&arguments);
+  if (!arguments.audit.empty()) return AuditByArguments(arguments);
   if (arguments.serves) return ServeByArguments(&arguments);
   std::cerr << app.help();
   return 1;

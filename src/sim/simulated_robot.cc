@@ -14,7 +14,7 @@ constexpr float kBodyRadius_m = 0.16f, kBodyHeight_m = 0.06f;
 constexpr float kInfraredReach_m = 0.5f;
 constexpr double kNorthStarUnitsPerMeter = 4500.0;
 constexpr int64_t kBatteryStep_ns = 60'000'000'000;
-constexpr int kJpegQualities[] = {50, 65, 80};  // of compression ratio 0 … 2
+constexpr int kJpegQualities[] = {60, 70, 80};  // of compression ratio 0 … 2
 
 // Rays around the body find what it would run into.
 OmniDrive::IsFree FreeSpaceOf(const World& world) {
