@@ -3,7 +3,7 @@ set(OPENCV ${OpenCV_LIBS})
 
 rovio_library(util LINKS Threads::Threads)
 rovio_library(geometry LINKS rovio_util Eigen3::Eigen ceres ${OPENCV} TEST_LINKS rovio_synthetic)
-rovio_library(scene LINKS rovio_geometry)
+rovio_library(scene LINKS rovio_geometry TEST_LINKS rovio_synthetic)
 
 # A synthetic world for the tests of every layer above scene.
 file(GLOB SYNTHETIC CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/synthetic/*.cc)

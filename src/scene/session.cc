@@ -114,6 +114,7 @@ void Session::SetPose(uint32_t index, const Rigid3& cam_from_session) {
   Keyframe& frame = MutableKeyframe(index);
   frame.cam_from_session = cam_from_session;
   MarkFrame(index);
+  moved_.insert(index);
   for (size_t i = 0; i < frame.tracks.size(); ++i) {
     if (frame.observed[i]) MarkLandmark(frame.tracks[i]);
   }
@@ -175,9 +176,8 @@ bool Session::MoveToTrack(const Observation& observation, TrackId track) {
   if (frame.observed[observation.feature] || old == track) return false;
   if (HasFrame(tracks_.at(track).members, observation.frame)) return false;
   if (old != 0) {
-    const auto it = tracks_.find(old);
-    Erase(&it->second.members, observation);
-    if (it->second.members.empty()) tracks_.erase(it);
+    if (tracks_.at(old).members.size() > 1) return false;
+    tracks_.erase(old);
   }
   frame.tracks[observation.feature] = track;
   Insert(&tracks_.at(track).members, observation);
@@ -244,6 +244,10 @@ SessionSnapshot Session::Snapshot() const {
   snapshot.camera = camera_;
   snapshot.state = state_;
   snapshot.scale = scale_;
+  for (const auto& [index, frame] : light_frames_) {
+    if (moved_.count(frame.reference) == 1) MarkFrame(index);
+  }
+  moved_.clear();
   snapshot.frames = UpdateFrameBlocks(*this, &frame_blocks_);
   snapshot.landmarks = UpdateLandmarkBlocks(*this, &landmark_blocks_);
   return snapshot;

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -147,6 +148,7 @@ class Session {
   // Blocks of the last snapshot by number (id / block size); a missing one changed since.
   mutable FrameBlocks frame_blocks_;
   mutable LandmarkBlocks landmark_blocks_;
+  mutable std::set<uint32_t> moved_;  // keyframes since then: their light frames moved with them
 };
 
 // Names the first broken invariant between frames, tracks and landmarks; empty if all hold.
