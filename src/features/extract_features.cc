@@ -25,19 +25,20 @@ struct Described {
 };
 
 SelectOptions SelectOptionsFrom(const ExtractOptions& options) {
-  return {options.max_features, options.cell_px, options.min_distance_px, options.border_px};
-}
-
-int MaxCandidates(const ExtractOptions& options) {
-  return static_cast<int>(options.candidate_factor * options.max_features);
+  SelectOptions select;
+  select.max_keypoints = options.max_features;
+  select.max_candidates = static_cast<int>(options.candidate_factor * options.max_features);
+  select.cell_px = options.cell_px;
+  select.min_distance_px = options.min_distance_px;
+  select.border_px = options.border_px;
+  return select;
 }
 
 // OpenCV packs the octave into the low byte of KeyPoint::octave, signed.
 int SiftOctave(const cv::KeyPoint& keypoint) { return static_cast<int8_t>(keypoint.octave & 255); }
 
 std::vector<cv::KeyPoint> DetectSift(const cv::Mat& grey, const ExtractOptions& options) {
-  const auto detector =
-      cv::SIFT::create(MaxCandidates(options), 3, options.sift_contrast, options.sift_edge, 1.6);
+  const auto detector = cv::SIFT::create(0, 3, options.sift_contrast, options.sift_edge, 1.6);
   std::vector<cv::KeyPoint> candidates;
   detector->detect(grey, candidates);
   if (!options.upsample) {
@@ -84,18 +85,18 @@ Described Describe(const cv::Mat& grey, const ExtractOptions& options) {
     case DescriptorType::kSift:
       return ExtractSift(grey, options);
     case DescriptorType::kOrb:
-      return ExtractBinary(cv::ORB::create(MaxCandidates(options), 1.2f, 8, 31, 0, 2,
-                                           cv::ORB::HARRIS_SCORE, 31, options.orb_threshold)
-                               .get(),
-                           DescriptorType::kOrb, grey, options);
+      return ExtractBinary(
+          cv::ORB::create(2 * SelectOptionsFrom(options).max_candidates, 1.2f, 8, 31, 0, 2,
+                          cv::ORB::HARRIS_SCORE, 31, options.orb_threshold)
+              .get(),
+          DescriptorType::kOrb, grey, options);
     case DescriptorType::kAkaze:
       return ExtractBinary(cv::AKAZE::create(cv::AKAZE::DESCRIPTOR_MLDB, 0, 3,
                                              static_cast<float>(options.akaze_threshold))
                                .get(),
                            DescriptorType::kAkaze, grey, options);
     case DescriptorType::kSurf: {
-      SurfFeatures surf = ExtractSurf(grey, options.surf_threshold, MaxCandidates(options),
-                                      SelectOptionsFrom(options));
+      SurfFeatures surf = ExtractSurf(grey, options.surf_threshold, SelectOptionsFrom(options));
       return {std::move(surf.keypoints), std::move(surf.descriptors)};
     }
     case DescriptorType::kNone:

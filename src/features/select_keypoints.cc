@@ -74,6 +74,7 @@ std::vector<cv::KeyPoint> SuppressNear(const std::vector<cv::KeyPoint>& stronges
   std::vector<cv::KeyPoint> kept;
   for (const cv::KeyPoint& keypoint : strongest_first) {
     if (!IsInside(keypoint, image_size, options.border_px)) continue;
+    if (kept.size() == static_cast<size_t>(options.max_candidates)) break;
     if (occupancy.TryInsert(keypoint.pt)) kept.push_back(keypoint);
   }
   return kept;

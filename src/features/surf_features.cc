@@ -19,8 +19,7 @@ bool CanDescribe(const dlib::integral_image& integral, const dlib::interest_poin
   return dlib::get_rect(integral).contains(dlib::centered_rect(point.center, side, side));
 }
 
-std::vector<cv::KeyPoint> DetectSurf(const dlib::integral_image& integral, double threshold,
-                                     int max_candidates) {
+std::vector<cv::KeyPoint> DetectSurf(const dlib::integral_image& integral, double threshold) {
   dlib::hessian_pyramid pyramid;
   pyramid.build_pyramid(integral, 4, 6, 2);
   std::vector<dlib::interest_point> points;
@@ -31,11 +30,6 @@ std::vector<cv::KeyPoint> DetectSurf(const dlib::integral_image& integral, doubl
     keypoints.emplace_back(static_cast<float>(p.center.x()), static_cast<float>(p.center.y()),
                            static_cast<float>(p.scale * kSizeOfScale), 0.0f,
                            static_cast<float>(p.score));
-  }
-  std::stable_sort(keypoints.begin(), keypoints.end(),
-                   [](const auto& a, const auto& b) { return a.response > b.response; });
-  if (keypoints.size() > static_cast<size_t>(max_candidates)) {
-    keypoints.resize(static_cast<size_t>(max_candidates));
   }
   return keypoints;
 }
@@ -57,13 +51,11 @@ void DescribeSurf(const dlib::integral_image& integral, cv::KeyPoint* keypoint,
 
 }  // namespace
 
-SurfFeatures ExtractSurf(const cv::Mat& grey, double threshold, int max_candidates,
-                         const SelectOptions& select) {
+SurfFeatures ExtractSurf(const cv::Mat& grey, double threshold, const SelectOptions& select) {
   dlib::integral_image integral;
   integral.load(dlib::cv_image<unsigned char>(grey));
   SurfFeatures features;
-  features.keypoints =
-      SelectKeypoints(DetectSurf(integral, threshold, max_candidates), grey.size(), select);
+  features.keypoints = SelectKeypoints(DetectSurf(integral, threshold), grey.size(), select);
   features.descriptors.type = DescriptorType::kSurf;
   features.descriptors.length = 64;
   for (cv::KeyPoint& keypoint : features.keypoints) {

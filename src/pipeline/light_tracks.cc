@@ -23,6 +23,7 @@ std::vector<size_t> ChooseFeatures(const FrameFeatures& features,
   }
   SelectOptions select;
   select.max_keypoints = max_features;
+  select.max_candidates = static_cast<int>(candidates.size());
   select.min_distance_px = 4.0;
   select.border_px = 4;
   std::vector<size_t> chosen;

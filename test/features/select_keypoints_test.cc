@@ -46,6 +46,15 @@ TEST(SelectKeypoints, DropsTheBorderAndOrdersByRowThenColumn) {
   EXPECT_EQ(chosen[2].pt, cv::Point2f(90, 60));
 }
 
+TEST(SelectKeypoints, SpreadsOnlyTheStrongestCandidates) {
+  SelectOptions options;
+  options.max_candidates = 2;
+  const std::vector<cv::KeyPoint> chosen =
+      SelectKeypoints({At(10, 10, 9), At(20, 20, 8), At(150, 150, 1)}, cv::Size(200, 200), options);
+  ASSERT_EQ(chosen.size(), 2u);
+  EXPECT_EQ(chosen[1].pt, cv::Point2f(20, 20));
+}
+
 TEST(SelectKeypoints, OfNoneIsNone) {
   EXPECT_TRUE(SelectKeypoints({}, cv::Size(200, 200), {}).empty());
 }

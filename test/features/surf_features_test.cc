@@ -10,7 +10,7 @@ namespace {
 TEST(ExtractSurf, DescribesEachKeypointWithSixtyFourBytes) {
   cv::Mat grey;
   cv::cvtColor(TexturedImage(320, 240, 5), grey, cv::COLOR_BGR2GRAY);
-  const SurfFeatures features = ExtractSurf(grey, 8.0, 400, {});
+  const SurfFeatures features = ExtractSurf(grey, 8.0, {});
   EXPECT_GT(features.keypoints.size(), 60u);
   EXPECT_EQ(features.descriptors.length, 64u);
   EXPECT_EQ(features.descriptors.Count(), features.keypoints.size());

@@ -11,7 +11,7 @@ struct ExtractOptions {
   DescriptorType type = DescriptorType::kSift;  // kNone is refused
   int max_features = 1000;  // 16 to 20000; at 1000 a keyframe event stays below 200 kB
   // Candidates wanted before the even spread chooses, as a multiple of max_features; 1 to 10.
-  double candidate_factor = 1.5;
+  double candidate_factor = 1.25;
   // Least contrast of a SIFT candidate (OpenCV's scale); low, because the spread chooses. 1e-4 to
   // 0.2
   double sift_contrast = 0.01;

@@ -15,7 +15,6 @@ struct SurfFeatures {
 };
 
 // SURF by dlib (Debian's OpenCV has none), on an 8-bit grey image.
-SurfFeatures ExtractSurf(const cv::Mat& grey, double threshold, int max_candidates,
-                         const SelectOptions& select);
+SurfFeatures ExtractSurf(const cv::Mat& grey, double threshold, const SelectOptions& select);
 
 }  // namespace rovio_sfm
