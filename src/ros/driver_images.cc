@@ -3,10 +3,18 @@
 #include <ros/console.h>
 #include <ros/time.h>
 
+#include <array>
 #include <utility>
 
 namespace rovio_sfm {
 namespace {
+
+// Of the resolutions 0 … 3, as the firmware has them.
+constexpr std::array<std::pair<int, int>, 4> kSizes = {
+    {{176, 144}, {320, 240}, {352, 288}, {640, 480}}};
+constexpr int64_t kSizeChangeNs = 5000000000;
+
+int64_t RosNs() { return static_cast<int64_t>(ros::Time::now().toNSec()); }
 
 // A robot that looks once per stop has no use for a stream.
 ImageReaderOptions ReaderOptions(const DriverOptions& options) {
@@ -22,9 +30,11 @@ ImageReaderOptions ReaderOptions(const DriverOptions& options) {
 DriverImages::DriverImages(const ros::NodeHandle& handle, const DriverOptions& options,
                            const Credentials& credentials)
     : is_stationary_(options.capture_mode == CaptureMode::kStationary),
+      wanted_settings_(options.reports.wanted_settings),
+      has_settings_(!wanted_settings_),
       trigger_(options.stationary),
       transport_(options.http, credentials),
-      gate_(!is_stationary_),
+      gate_(!is_stationary_ && !wanted_settings_),
       publisher_(handle, options),
       publish_worker_(1, WhenFull::kDropOldest,
                       [this](const CameraImage& image) { publisher_.Publish(image); }),
@@ -42,7 +52,7 @@ ImageReader::Callbacks DriverImages::MakeCallbacks() {
   ImageReader::Callbacks callbacks;
   callbacks.on_image = [this](CameraImage image) { OnImage(std::move(image)); };
   callbacks.on_link = [this](ImageLink link, const std::string& reason) { OnLink(link, reason); };
-  callbacks.now_ns = [] { return static_cast<int64_t>(ros::Time::now().toNSec()); };
+  callbacks.now_ns = RosNs;
   return callbacks;
 }
 
@@ -51,12 +61,27 @@ void DriverImages::NoteMotion(bool is_moving, int64_t now_ns) {
   MutexLock lock(mutex_);
   trigger_.Note(is_moving, now_ns);
   // The one image of a stop waits for somebody to see it.
-  gate_.SetOpen(trigger_.WantsImage(now_ns) && publisher_.HasListeners());
+  gate_.SetOpen(has_settings_ && trigger_.WantsImage(now_ns) && publisher_.HasListeners());
+}
+
+void DriverImages::NoteSettings() {
+  MutexLock lock(mutex_);
+  has_settings_ = true;
+  settings_ns_ = RosNs();
+  if (!is_stationary_) gate_.SetOpen(true);
+}
+
+// The robot reports a new size before it sends it.
+bool DriverImages::IsOfOldSize(const CameraImage& image) const {
+  if (!wanted_settings_ || image.complete_ns - settings_ns_ > kSizeChangeNs) return false;
+  const auto& [width_px, height_px] = kSizes[static_cast<size_t>(wanted_settings_->resolution)];
+  return image.width_px != width_px || image.height_px != height_px;
 }
 
 void DriverImages::OnImage(CameraImage image) {
   {
     MutexLock lock(mutex_);
+    if (IsOfOldSize(image)) return;
     statistics_.Add(image.stamp_ns, image.complete_ns);
     if (is_stationary_) {
       if (!publisher_.HasListeners() || !trigger_.Accept(image.stamp_ns)) return;

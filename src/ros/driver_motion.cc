@@ -37,10 +37,10 @@ bool HasTicks(const McuReport& mcu) {
 }  // namespace
 
 DriverMotion::DriverMotion(const ros::NodeHandle& handle, const DriverOptions& options,
-                           const Credentials& credentials, OnMotion on_motion)
+                           const Credentials& credentials, MotionHooks hooks)
     : handle_(handle),
       options_(options),
-      on_motion_(std::move(on_motion)),
+      hooks_(std::move(hooks)),
       odom_(handle_.advertise<nav_msgs::Odometry>(topics::kOdom, topics::kOdomQueue)),
       odometry_(options.odometry),
       drive_transport_(CommandOptions(options.http), credentials),
@@ -98,12 +98,13 @@ RobotReporter::Callbacks DriverMotion::MakeReporterCallbacks() {
     report_came_.notify_all();
   };
   callbacks.on_link = [this](bool is_up, const std::string& reason) { OnLink(is_up, reason); };
-  callbacks.on_settings = [](bool has_obeyed, const std::string& settings) {
+  callbacks.on_settings = [this](bool has_obeyed, const std::string& settings) {
     if (has_obeyed) {
       ROS_INFO_STREAM_NAMED("settings", "camera: " << settings);
     } else {
       ROS_WARN_STREAM_NAMED("settings", "the robot did not take the settings; it has " << settings);
     }
+    hooks_.on_settings();
   };
   callbacks.now_ns = RosNs;
   return callbacks;
@@ -114,7 +115,7 @@ void DriverMotion::OnTwist(const geometry_msgs::Twist& twist) {
 }
 
 void DriverMotion::OnCommand(const DriveCommand& command, const RobotOutcome& outcome) {
-  if (command.code != DriveCode::kStop) on_motion_(true, RosNs());
+  if (command.code != DriveCode::kStop) hooks_.on_motion(true, RosNs());
   MutexLock lock(mutex_);
   ++state_.num_commands;
   if (!outcome.IsOk()) {
@@ -133,7 +134,7 @@ void DriverMotion::OnMcu(const McuReport& mcu, int64_t stamp_ns) {
   is_odometry_begun_ = true;
   PublishPose(mcu, motion, stamp_ns);
   const bool is_moving = has_moved || drive_loop_.IsMoving();
-  on_motion_(is_moving, RosNs());
+  hooks_.on_motion(is_moving, RosNs());
   MutexLock lock(mutex_);
   state_.mcu = mcu;
   state_.is_moving = is_moving;

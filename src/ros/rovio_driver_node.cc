@@ -61,7 +61,8 @@ RovioDriverNode::RovioDriverNode(const ros::NodeHandle& handle,
       status_(handle_.advertise<RovioStatus>(topics::kStatus, topics::kStatusQueue, true)),
       images_(handle, options, credentials),
       motion_(handle, options, credentials,
-              [this](bool is_moving, int64_t now_ns) { images_.NoteMotion(is_moving, now_ns); }),
+              {[this](bool is_moving, int64_t now_ns) { images_.NoteMotion(is_moving, now_ns); },
+               [this] { images_.NoteSettings(); }}),
       services_(handle, options, credentials, &motion_),
       updater_(handle, private_handle) {
   if (RobotName(handle).empty()) {

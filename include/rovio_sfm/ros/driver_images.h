@@ -1,6 +1,7 @@
 #pragma once
 
-#include <atomic>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -31,6 +32,10 @@ class DriverImages {
   // Tells the stationary mode whether the robot moves, at this ROS time. Any thread.
   void NoteMotion(bool is_moving, int64_t now_ns) EXCLUDES(mutex_);
 
+  // The camera has its settings; until then no image is taken, so that none has another size. Any
+  // thread.
+  void NoteSettings() EXCLUDES(mutex_);
+
   ImagesState TakeState() EXCLUDES(mutex_);
   const ImageCounters& Counters() const { return reader_.Counters(); }
   uint64_t NumPublished() const { return publisher_.NumPublished(); }
@@ -42,8 +47,13 @@ class DriverImages {
   void OnImage(CameraImage image) EXCLUDES(mutex_);
   void OnLink(ImageLink link, const std::string& reason) EXCLUDES(mutex_);
 
+  bool IsOfOldSize(const CameraImage& image) const REQUIRES(mutex_);
+
   const bool is_stationary_;
+  const std::optional<CameraSettings> wanted_settings_;
   mutable Mutex mutex_;
+  bool has_settings_ GUARDED_BY(mutex_);
+  int64_t settings_ns_ GUARDED_BY(mutex_) = INT64_MIN / 2;  // when NoteSettings came
   StationaryTrigger trigger_ GUARDED_BY(mutex_);
   ImageStatistics statistics_ GUARDED_BY(mutex_);
   ImageLink link_ GUARDED_BY(mutex_) = ImageLink::kConnecting;

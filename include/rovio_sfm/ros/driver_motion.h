@@ -28,15 +28,18 @@ struct RobotState {
   std::string last_command_fault;  // empty: the last command succeeded
 };
 
+// What the wheels' side tells the images' side, from its workers.
+struct MotionHooks {
+  std::function<void(bool is_moving, int64_t now_ns)> on_motion;  // for each reading; ROS time
+  std::function<void()> on_settings;  // once: the camera has its settings, or never will
+};
+
 // Wheels and health of one robot: commands from cmd_vel on one worker, readings on another. It
 // publishes odom and tf. The destructor stops the robot.
 class DriverMotion {
  public:
-  // on_motion is told, for each reading, whether the robot moves, at this ROS time.
-  using OnMotion = std::function<void(bool is_moving, int64_t now_ns)>;
-
   DriverMotion(const ros::NodeHandle& handle, const DriverOptions& options,
-               const Credentials& credentials, OnMotion on_motion);
+               const Credentials& credentials, MotionHooks hooks);
   ~DriverMotion();
 
   RobotState State() const EXCLUDES(mutex_);
@@ -58,7 +61,7 @@ class DriverMotion {
 
   ros::NodeHandle handle_;
   const DriverOptions options_;
-  const OnMotion on_motion_;
+  const MotionHooks hooks_;
   ros::Publisher odom_;
   tf2_ros::TransformBroadcaster broadcaster_;
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;

@@ -34,6 +34,7 @@ inline constexpr uint32_t kPreviewQueue = 1;
 
 // The map, in mapping's namespace.
 inline constexpr char kCloud[] = "cloud";                 // sensor_msgs/PointCloud2, latched
+inline constexpr char kCloudPrefix[] = "cloud/map_";      // the same, one a map but the root
 inline constexpr char kPathPrefix[] = "path/session_";    // nav_msgs/Path, latched, one a session
 inline constexpr char kCameras[] = "cameras";             // visualization_msgs/MarkerArray, latched
 inline constexpr char kKeyframePose[] = "keyframe_pose";  // geometry_msgs/PoseStamped
