@@ -52,7 +52,8 @@ bool Camera::IsValid(std::string* error) const {
   if (!(fy > 1.0 && fy < 1e6)) return fail("fy", fy, "1 to 1e6 px");
   if (!(std::abs(cx) < 1e6)) return fail("cx", cx, "a finite number of px");
   if (!(std::abs(cy) < 1e6)) return fail("cy", cy, "a finite number of px");
-  for (const auto& [name, value] : {std::pair{"k1", k1}, {"k2", k2}, {"p1", p1}, {"p2", p2}, {"k3", k3}}) {
+  for (const auto& [name, value] :
+       {std::pair{"k1", k1}, {"k2", k2}, {"p1", p1}, {"p2", p2}, {"k3", k3}}) {
     if (!(std::abs(value) < 100.0)) return fail(name, value, "a distortion below 100");
   }
   return true;

@@ -26,7 +26,8 @@ std::optional<Sim3> AlignPoints(const std::vector<Eigen::Vector3d>& points_in_a,
     covariance += (points_in_b[i] - mean_b) * a.transpose();
     variance_a += a.squaredNorm();
   }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::Vector3d values = svd.singularValues();
   if (!(variance_a > 0.0) || !(values(1) > kMinSpread * values(0))) return std::nullopt;
   Eigen::Vector3d sign = Eigen::Vector3d::Ones();

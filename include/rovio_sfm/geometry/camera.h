@@ -6,9 +6,9 @@
 
 namespace rovio_sfm {
 
-// A pinhole camera with plumb-bob distortion (OpenCV's k1 k2 p1 p2 k3). Pixel (0, 0) is the centre of
-// the upper left pixel, x right, y down. "Normalised" points lie on the plane z = 1 of the camera,
-// undistorted; all geometry works there (§3.2).
+// A pinhole camera with plumb-bob distortion (OpenCV's k1 k2 p1 p2 k3). Pixel (0, 0) is the centre
+// of the upper left pixel, x right, y down. "Normalised" points lie on the plane z = 1 of the
+// camera, undistorted; all geometry works there (§3.2).
 struct Camera {
   double fx = 0.0, fy = 0.0;  // px
   double cx = 0.0, cy = 0.0;  // px

@@ -2,11 +2,12 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cmath>
 
 namespace rovio_sfm {
 
-// A rigid motion b_from_a: x_in_b = rotation * x_in_a + translation. Lengths are those of the frames
-// (metres or map units). Neighbours cancel: c_from_a = c_from_b * b_from_a.
+// A rigid motion b_from_a: x_in_b = rotation * x_in_a + translation. Lengths are those of the
+// frames (metres or map units). Neighbours cancel: c_from_a = c_from_b * b_from_a.
 struct Rigid3 {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();

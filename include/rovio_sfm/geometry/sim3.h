@@ -34,8 +34,8 @@ inline Rigid3 TransformCamera(const Sim3& b_from_a, const Rigid3& cam_from_a) {
   return {rotation, b_from_a.scale * cam_from_a.translation - rotation * b_from_a.translation};
 }
 
-// The similarity that maps points_in_a onto points_in_b with the least squared error (Umeyama 1991).
-// Nothing for fewer than 3 points, unequal counts, or points on one line.
+// The similarity that maps points_in_a onto points_in_b with the least squared error (Umeyama
+// 1991). Nothing for fewer than 3 points, unequal counts, or points on one line.
 std::optional<Sim3> AlignPoints(const std::vector<Eigen::Vector3d>& points_in_a,
                                 const std::vector<Eigen::Vector3d>& points_in_b);
 

@@ -11,9 +11,9 @@ namespace rovio_sfm {
 }  // namespace rovio_sfm
 
 // For what can only be a bug of ours; never on the content of a message, a file or a reply.
-#define ROVIO_CHECK(condition, ...)                                                  \
-  do {                                                                               \
-    if (!(condition)) {                                                              \
+#define ROVIO_CHECK(condition, ...)                                                     \
+  do {                                                                                  \
+    if (!(condition)) {                                                                 \
       ::rovio_sfm::FailCheck(__FILE__, __LINE__, #condition, std::string{__VA_ARGS__}); \
-    }                                                                                \
+    }                                                                                   \
   } while (false)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <utility>
 
 namespace rovio_sfm {
 
