@@ -63,7 +63,7 @@ std::optional<std::string> DriveMapper::Refuse(const FrameEvent& event) {
 
 void DriveMapper::Hold(const FrameEvent& event, MapperReport* report) {
   const auto scope = MeasureStage(context_.times, "bootstrap");
-  LinkTracks(SearchThreshold(), &pending_links_, &current());
+  LinkTracks(context_.options.f2, &pending_links_, &current());
   held_.push_back(event);
   if (held_.size() > static_cast<size_t>(context_.options.bootstrap.max_held_frames)) {
     held_.pop_front();
@@ -102,7 +102,7 @@ void DriveMapper::InsertHeld(const FrameEvent& event) {
 
 void DriveMapper::AddKeyframe(const FrameEvent& event, MapperReport* report) {
   if (global_.Advance(&current())) ++counters_.global_adjustments;
-  LinkTracks(SearchThreshold(), &pending_links_, &current());
+  LinkTracks(context_.options.f2, &pending_links_, &current());
   const auto registration = Resect(event, report);
   if (!registration) return AddWeak(event, report);
   report->outcome = MapperOutcome::kKeyframe;
@@ -134,7 +134,8 @@ void DriveMapper::GrowMap(uint32_t frame, MapperReport* report) {
     const auto scope = MeasureStage(context_.times, "search");
     CompleteLandmarks(frame, triangulate.max_error_sigmas, &current());
     SearchLandmarksOptions search;
-    search.max_error_sigmas = SearchThreshold();
+    search.max_error_sigmas = options.prune.max_error_px / options.pixel_sigma_px;
+    search.f2 = options.f2;
     const SearchReport found = SearchLandmarks(frame, search, *context_.store, &current());
     report->num_found = found.num_added;
     report->num_united = found.num_united;
@@ -238,10 +239,6 @@ void DriveMapper::Finish() {
   if (current().state() == SessionState::kMapping) RetryWeakFrames();
   CloseSession(SessionState::kFinished);
   held_.clear();
-}
-
-double DriveMapper::SearchThreshold() const {
-  return context_.options.prune.max_error_px / context_.options.pixel_sigma_px;
 }
 
 }  // namespace rovio_sfm

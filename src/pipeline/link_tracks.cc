@@ -2,55 +2,49 @@
 
 #include <utility>
 
-#include "rovio_sfm/geometry/triangulate.h"
-
 namespace rovio_sfm {
 namespace {
 
-bool AllViewsAgree(const Session& session, const Landmark& landmark,
-                   const Eigen::Vector3d& position, double max_error_sigmas) {
+LandmarkViews ViewsOf(const Session& session, const Landmark& landmark) {
+  LandmarkViews views;
+  views.position = landmark.position;
   for (const Observation& observation : landmark.observations) {
     const Keyframe& frame = session.keyframe(observation.frame);
-    const auto error =
-        ReprojectionError(frame.cam_from_session, frame.points[observation.feature], position);
-    if (!error || *error > max_error_sigmas * frame.sigmas[observation.feature]) return false;
+    views.cams_from_map.push_back(frame.cam_from_session);
+    views.x_normalized.push_back(frame.points[observation.feature]);
+    views.sigmas.push_back(frame.sigmas[observation.feature]);
   }
-  return true;
+  return views;
 }
 
 enum class LinkResult { kUnited, kRefusedF1, kRefusedF2 };
 
-LinkResult Link(const TrackLink& link, double max_error_sigmas, Session* session) {
+LinkResult Link(const TrackLink& link, const FilterF2Options& f2, Session* session) {
   if (session->RootOf(link.a) == session->RootOf(link.b)) return LinkResult::kUnited;
   if (session->HasMembersInOneFrame(link.a, link.b)) return LinkResult::kRefusedF1;
   if (session->UniteTracks(link.a, link.b)) return LinkResult::kUnited;
-  return TryUniteLandmarks(link.a, link.b, max_error_sigmas, session) ? LinkResult::kUnited
-                                                                      : LinkResult::kRefusedF2;
+  return TryUniteLandmarks(link.a, link.b, f2, session) ? LinkResult::kUnited
+                                                        : LinkResult::kRefusedF2;
 }
 
 }  // namespace
 
-bool TryUniteLandmarks(TrackId a, TrackId b, double max_error_sigmas, Session* session) {
+bool TryUniteLandmarks(TrackId a, TrackId b, const FilterF2Options& f2, Session* session) {
   const Landmark* first = session->FindLandmark(a);
   const Landmark* second = session->FindLandmark(b);
   if (first == nullptr || second == nullptr || first == second) return false;
   if (session->HasMembersInOneFrame(a, b)) return false;
-  const auto weight_a = static_cast<double>(first->observations.size() - 1);
-  const auto weight_b = static_cast<double>(second->observations.size() - 1);
-  const Eigen::Vector3d united =
-      (weight_a * first->position + weight_b * second->position) / (weight_a + weight_b);
-  if (!AllViewsAgree(*session, *first, united, max_error_sigmas) ||
-      !AllViewsAgree(*session, *second, united, max_error_sigmas)) {
-    return false;
-  }
-  return session->UniteLandmarks(a, b, united);
+  const LandmarkViews views_a = ViewsOf(*session, *first), views_b = ViewsOf(*session, *second);
+  if (!PassesFilterF2(views_a, views_b, f2)) return false;
+  return session->UniteLandmarks(a, b, UnitedPosition(views_a, views_b));
 }
 
-LinkReport LinkTracks(double max_error_sigmas, std::vector<TrackLink>* pending, Session* session) {
+LinkReport LinkTracks(const FilterF2Options& f2, std::vector<TrackLink>* pending,
+                      Session* session) {
   LinkReport report;
   std::vector<TrackLink> retry;
   for (const TrackLink& link : *pending) {
-    switch (Link(link, max_error_sigmas, session)) {
+    switch (Link(link, f2, session)) {
       case LinkResult::kUnited:
         ++report.num_united;
         break;

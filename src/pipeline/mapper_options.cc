@@ -43,7 +43,7 @@ bool AdjustOptions::IsValid(std::string* error) const {
 bool PruneOptions::IsValid(std::string* error) const {
   OptionChecker checker("prune", error);
   checker.Range("max_error_px", max_error_px, 0.5, 50.0);
-  checker.Range("final_error_sigmas", final_error_sigmas, 1.0, 10.0);
+  checker.Range("final_error_sigmas", final_error_sigmas, 1.0, 20.0);
   return checker.Passed();
 }
 
@@ -64,6 +64,7 @@ bool MapperOptions::IsValid(std::string* error) const {
   checker.Nested(adjust);
   checker.Nested(prune);
   checker.Nested(scale);
+  checker.Nested(f2);
   checker.Range("max_weak_frames", max_weak_frames, 0, 100);
   checker.Range("pixel_sigma_px", pixel_sigma_px, 0.1, 20.0);
   checker.Range("sigma_size_px", sigma_size_px, 1.0, 100.0);

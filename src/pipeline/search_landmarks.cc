@@ -149,14 +149,14 @@ std::optional<uint32_t> FindFeature(const Window& window, const Landmark& landma
 }
 
 // Makes the feature an observation of the landmark, whatever track it is in.
-void Attach(TrackId id, const Observation& feature, double max_error_sigmas, Session* session,
+void Attach(TrackId id, const Observation& feature, const FilterF2Options& f2, Session* session,
             SearchReport* report) {
   const TrackId own = session->keyframe(feature.frame).tracks[feature.feature];
   if (own == id) {
     session->AddObservation(id, feature);
     ++report->num_added;
   } else if (own != 0 && session->FindLandmark(own) != nullptr) {
-    if (TryUniteLandmarks(own, id, max_error_sigmas, session)) ++report->num_united;
+    if (TryUniteLandmarks(own, id, f2, session)) ++report->num_united;
   } else {
     const bool attached =
         own == 0 ? session->MoveToTrack(feature, id) : session->UniteTracks(own, id);
@@ -186,7 +186,7 @@ SearchReport SearchLandmarks(uint32_t frame, const SearchLandmarksOptions& optio
     ++report.num_candidates;
     const Window window{session->keyframe(frame), grid, *descriptors, radius};
     const auto feature = FindFeature(window, it->second, appearance, options);
-    if (feature) Attach(id, {frame, *feature}, options.max_error_sigmas, session, &report);
+    if (feature) Attach(id, {frame, *feature}, options.f2, session, &report);
   }
   return report;
 }

@@ -49,6 +49,15 @@ void ReadScale(OptionReader reader, ScaleOptions* options) {
   reader.RefuseUnknown();
 }
 
+void ReadF2(OptionReader reader, FilterF2Options* options) {
+  bool mean_relative = options->method == F2Method::kMeanRelative;
+  reader.Read("mean_relative", &mean_relative);
+  options->method = mean_relative ? F2Method::kMeanRelative : F2Method::kReprojection;
+  reader.Read("max_chi_square", &options->max_chi_square);
+  reader.Read("max_relative_distance", &options->max_relative_distance);
+  reader.RefuseUnknown();
+}
+
 }  // namespace
 
 void ReadOptions(OptionReader* reader, MapperOptions* options) {
@@ -58,6 +67,7 @@ void ReadOptions(OptionReader* reader, MapperOptions* options) {
   ReadAdjust(reader->Group("adjust"), &options->adjust);
   ReadPrune(reader->Group("prune"), &options->prune);
   ReadScale(reader->Group("scale"), &options->scale);
+  ReadF2(reader->Group("f2"), &options->f2);
   reader->Read("max_weak_frames", &options->max_weak_frames);
   reader->Read("pixel_sigma_px", &options->pixel_sigma_px);
   reader->Read("sigma_size_px", &options->sigma_size_px);

@@ -44,7 +44,6 @@ class DriveMapper {
 
  private:
   Session& current() { return *sessions_.back(); }
-  double SearchThreshold() const;  // sigmas
 
   std::optional<std::string> Refuse(const FrameEvent& event);
   void Hold(const FrameEvent& event, MapperReport* report);

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "rovio_sfm/tracks/filter_f2.h"
+
 namespace rovio_sfm {
 
 // When two held frames may start a session (§3.7, design 5.2.1).
@@ -41,7 +43,7 @@ struct AdjustOptions {
 
 struct PruneOptions {
   double max_error_px = 4.0;        // tau_r, 0.5 to 50
-  double final_error_sigmas = 2.5;  // in the final adjustment: of the robust spread, 1 to 10
+  double final_error_sigmas = 6.0;  // in the final adjustment: of the robust spread, 1 to 20
   bool IsValid(std::string* error) const;
 };
 
@@ -60,6 +62,7 @@ struct MapperOptions {
   AdjustOptions adjust;
   PruneOptions prune;
   ScaleOptions scale;
+  FilterF2Options f2;           // when two landmarks of linked tracks become one
   int max_weak_frames = 3;      // more in a row end the session as lost, 0 to 100
   double pixel_sigma_px = 1.0;  // position of a small feature, 0.1 to 20
   double sigma_size_px = 6.0;   // features larger than that are less certain, 1 to 100

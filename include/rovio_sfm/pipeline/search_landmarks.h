@@ -5,6 +5,7 @@
 
 #include "rovio_sfm/scene/frame_store.h"
 #include "rovio_sfm/scene/session.h"
+#include "rovio_sfm/tracks/filter_f2.h"
 
 namespace rovio_sfm {
 
@@ -14,6 +15,7 @@ struct SearchLandmarksOptions {
   float max_distance = 300.0f;    // of byte descriptors (L2, RootSIFT of length 512)
   float max_ratio = 0.9f;         // to the second best feature of the window
   size_t max_frames = 20;         // covisible frames whose landmarks are looked for
+  FilterF2Options f2;             // for landmarks that are found to be one
 };
 
 struct SearchReport {
