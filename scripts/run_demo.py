@@ -127,7 +127,7 @@ def finish(out):
     run("rosservice", "call", "/finish_session", f"robot: {ROBOT}", timeout_s=120)
     status = next(yaml.safe_load_all(run("rostopic", "echo", "-n", "1", "/map_status")))
     reply = yaml.safe_load(run("rosservice", "call", "/export_map",
-                               "{map: 0, name: '', overwrite: true}"))
+                               "{map: 0, name: demo, overwrite: true}"))
     if not reply["files"]:
         raise RuntimeError(f"export_map: {reply['status']}")
     return status
@@ -135,7 +135,7 @@ def finish(out):
 
 def evaluate(programs, out, status):
     errors = json.loads(run(programs / "evaluate_trajectory", out / "truth.txt",
-                            out / "map/trajectory.txt", "--json", "--metric", "--max-gap",
+                            out / "map/demo/trajectory.txt", "--json", "--metric", "--max-gap",
                             MAX_TRUTH_GAP_S))
     registered = sum(session["num_keyframes"] for session in status["sessions"])
     largest = max(status["maps"], key=lambda entry: entry["num_frames"])
@@ -190,12 +190,12 @@ def main():
     figures = evaluate(arguments.programs, out, status)
     figures["seconds"] = round(time.monotonic() - start)
     (out / "demo.json").write_text(json.dumps(figures, indent=2) + "\n")
-    run("/usr/bin/python3", ROOT / "scripts/plot_map.py", out / "map/cloud.ply",
-        out / "map/trajectory.txt", out / "map.png")
+    run("/usr/bin/python3", ROOT / "scripts/plot_map.py", out / "map/demo/cloud.ply",
+        out / "map/demo/trajectory.txt", out / "map.png")
     results = verdicts(figures)
     for text, holds in results.items():
         print(f"{'holds' if holds else 'FALLS':6} {text}")
-    for name in ("map/cloud.ply", "map/trajectory.txt", "map.png", "demo.json"):
+    for name in ("map/demo/cloud.ply", "map/demo/trajectory.txt", "map.png", "demo.json"):
         print(f"wrote {out / name}")
     return 0 if all(results.values()) else 1
 

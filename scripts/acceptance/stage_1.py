@@ -142,7 +142,7 @@ def replay(quick):
         raise Skipped("the program replay is not built")
     bag = fresh_folder("replay.bag")
     bag.unlink(missing_ok=True)
-    run(PROGRAMS / "images_to_bag", dataset("tum_fr1_xyz"), "--out", bag,
+    run(PROGRAMS / "images_to_bag", dataset("tum_fr1_xyz"), bag,
         *(("--stride", 8) if quick else ()))
     outs = [replay_once(bag, "first", 1), replay_once(bag, "second", 2)]
     with subprocess.Popen(["sh", "-c", "while :; do :; done"]) as busy:
