@@ -4,52 +4,56 @@
 
 namespace rovio_sfm::sim {
 
+bool FrameFeed::HasNewer(uint64_t number) const { return latest_ && latest_->number > number; }
+
 bool FrameFeed::WaitForDemand() {
-  std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait(lock, [this] { return closed_ || num_waiting_ > 0; });
+  const MutexLock lock(mutex_);
+  while (!closed_ && num_waiting_ == 0) changed_.wait(mutex_);
   return !closed_;
 }
 
 uint64_t FrameFeed::BeginCapture() {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const MutexLock lock(mutex_);
   return ++last_begun_;
 }
 
 void FrameFeed::Publish(uint64_t number, std::vector<uint8_t> jpeg) {
   auto shared = std::make_shared<const std::vector<uint8_t>>(std::move(jpeg));
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const MutexLock lock(mutex_);
   latest_ = Picture{number, std::move(shared)};
   changed_.notify_all();
 }
 
 std::optional<Picture> FrameFeed::WaitForNewer(uint64_t number, std::chrono::milliseconds timeout) {
-  std::unique_lock<std::mutex> lock(mutex_);
+  const auto end = std::chrono::steady_clock::now() + timeout;
+  const MutexLock lock(mutex_);
   ++num_waiting_;
   changed_.notify_all();
-  changed_.wait_for(lock, timeout,
-                    [&] { return closed_ || (latest_ && latest_->number > number); });
+  while (!closed_ && !HasNewer(number)) {
+    if (changed_.wait_until(mutex_, end) == std::cv_status::timeout) break;
+  }
   --num_waiting_;
-  if (closed_ || !latest_ || latest_->number <= number) return std::nullopt;
+  if (closed_ || !HasNewer(number)) return std::nullopt;
   return latest_;
 }
 
 uint64_t FrameFeed::LastBegun() {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const MutexLock lock(mutex_);
   return last_begun_;
 }
 
 std::optional<Picture> FrameFeed::Latest() {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const MutexLock lock(mutex_);
   return latest_;
 }
 
 bool FrameFeed::IsClosed() {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const MutexLock lock(mutex_);
   return closed_;
 }
 
 void FrameFeed::Close() {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const MutexLock lock(mutex_);
   closed_ = true;
   changed_.notify_all();
 }

@@ -9,7 +9,12 @@ RobotAccess::RobotAccess(RobotBackend& robot, Clock now_ns, Guarded<Quirks>& qui
     : robot_(robot), now_ns_(std::move(now_ns)), quirks_(quirks) {}
 
 std::optional<CapturedImage> RobotAccess::Capture(const CameraSettings& settings) {
-  const int64_t time_ns = With([this](RobotBackend&) { return time_ns_; });
+  int64_t time_ns = 0;
+  {
+    const MutexLock lock(mutex_);
+    Advance();
+    time_ns = time_ns_;
+  }
   return robot_.Capture(time_ns, settings);
 }
 

@@ -22,9 +22,13 @@ SocketServer::~SocketServer() { Stop(); }
 
 bool SocketServer::Start(std::string* error) {
   if (!options_.IsValid(error)) return false;
-  listener_ = TcpListener::Open(options_.address, options_.port, error);
-  if (listener_ == nullptr) return false;
-  options_.port = listener_->port();
+  std::shared_ptr<TcpListener> listener = TcpListener::Open(options_.address, options_.port, error);
+  if (listener == nullptr) return false;
+  options_.port = listener->port();
+  {
+    const MutexLock lock(mutex_);
+    listener_ = std::move(listener);
+  }
   accept_thread_ = std::thread([this] { AcceptLoop(); });
   return true;
 }
@@ -32,10 +36,10 @@ bool SocketServer::Start(std::string* error) {
 void SocketServer::Stop() {
   stop_.Request();
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const MutexLock lock(mutex_);
     stopping_ = true;
     if (listener_ != nullptr) listener_->Close();
-    session_finished_.notify_all();
+    changed_.notify_all();
   }
   if (accept_thread_.joinable()) accept_thread_.join();
   DropConnections();
@@ -43,14 +47,14 @@ void SocketServer::Stop() {
 }
 
 void SocketServer::GoAway(std::chrono::nanoseconds duration) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const MutexLock lock(mutex_);
   absence_ = std::max(absence_, duration);
   if (listener_ != nullptr) listener_->Close();
-  session_finished_.notify_all();
+  changed_.notify_all();
 }
 
 void SocketServer::DropConnections() {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const MutexLock lock(mutex_);
   for (const auto& session : sessions_) {
     if (session->connection != nullptr) session->connection->Shutdown();
   }
@@ -59,8 +63,7 @@ void SocketServer::DropConnections() {
 void SocketServer::AcceptLoop() {
   while (true) {
     std::unique_ptr<TcpConnection> connection;
-    // Only this thread replaces the listener, so it may use it without the lock.
-    if (WaitForFreePlace()) connection = listener_->Accept();
+    if (const auto listener = WaitForFreePlace()) connection = listener->Accept();
     if (stop_.IsRequested()) return;
     if (connection != nullptr) {
       StartSession(std::move(connection));
@@ -70,23 +73,26 @@ void SocketServer::AcceptLoop() {
   }
 }
 
-// False when the server stops or goes away meanwhile.
-bool SocketServer::WaitForFreePlace() {
+int SocketServer::NumBusy() const {
+  int num_busy = 0;
+  for (const auto& session : sessions_) num_busy += session->finished ? 0 : 1;
+  return num_busy;
+}
+
+std::shared_ptr<TcpListener> SocketServer::WaitForFreePlace() {
   JoinSessions(false);
-  std::unique_lock<std::mutex> lock(mutex_);
-  session_finished_.wait(lock, [this] {
-    const auto busy = std::count_if(sessions_.begin(), sessions_.end(),
-                                    [](const auto& session) { return !session->finished; });
-    return stopping_ || absence_.count() > 0 || busy < options_.max_connections;
-  });
-  return !stopping_ && absence_.count() == 0;
+  const MutexLock lock(mutex_);
+  while (!stopping_ && absence_.count() == 0 && NumBusy() >= options_.max_connections) {
+    changed_.wait(mutex_);
+  }
+  return stopping_ || absence_.count() > 0 ? nullptr : listener_;
 }
 
 // False when the server stops meanwhile, or the port is lost.
 bool SocketServer::ReopenAfterAbsence() {
   std::chrono::nanoseconds absence{0};
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const MutexLock lock(mutex_);
     absence = std::exchange(absence_, std::chrono::nanoseconds{0});
     listener_.reset();
   }
@@ -102,7 +108,7 @@ bool SocketServer::ReopenAfterAbsence() {
     LogError("the simulated robot cannot come back: " + error);
     return false;
   }
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const MutexLock lock(mutex_);
   listener_ = std::move(listener);
   return !stopping_;
 }
@@ -111,24 +117,24 @@ void SocketServer::StartSession(std::unique_ptr<TcpConnection> connection) {
   auto session = std::make_unique<Session>();
   session->connection = std::move(connection);
   Session* const raw = session.get();
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const MutexLock lock(mutex_);
   raw->thread = std::thread([this, raw] { RunSession(raw); });
   sessions_.push_back(std::move(session));
 }
 
 void SocketServer::RunSession(Session* session) {
   handler_(*session->connection);
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const MutexLock lock(mutex_);
   session->connection.reset();
   session->finished = true;
-  session_finished_.notify_all();
+  changed_.notify_all();
 }
 
 // Joins the finished sessions, or waits for all.
 void SocketServer::JoinSessions(bool all) {
   std::list<std::unique_ptr<Session>> ended;
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const MutexLock lock(mutex_);
     for (auto it = sessions_.begin(); it != sessions_.end();) {
       const auto next = std::next(it);
       if (all || (*it)->finished) ended.splice(ended.end(), sessions_, it);

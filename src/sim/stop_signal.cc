@@ -3,19 +3,23 @@
 namespace rovio_sfm::sim {
 
 void StopSignal::Request() {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const MutexLock lock(mutex_);
   requested_ = true;
   changed_.notify_all();
 }
 
 bool StopSignal::IsRequested() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const MutexLock lock(mutex_);
   return requested_;
 }
 
 bool StopSignal::WaitFor(std::chrono::nanoseconds duration) const {
-  std::unique_lock<std::mutex> lock(mutex_);
-  return changed_.wait_for(lock, duration, [this] { return requested_; });
+  const auto end = std::chrono::steady_clock::now() + duration;
+  const MutexLock lock(mutex_);
+  while (!requested_) {
+    if (changed_.wait_until(mutex_, end) == std::cv_status::timeout) break;
+  }
+  return requested_;
 }
 
 }  // namespace rovio_sfm::sim

@@ -4,9 +4,10 @@
 #include <condition_variable>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
+
+#include "rovio_sfm/util/mutex.h"
 
 namespace rovio_sfm::sim {
 
@@ -38,12 +39,14 @@ class FrameFeed {
   void Close();
 
  private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  uint64_t last_begun_ = 0;  // guarded by mutex_, as all below
-  std::optional<Picture> latest_;
-  int num_waiting_ = 0;
-  bool closed_ = false;
+  bool HasNewer(uint64_t number) const REQUIRES(mutex_);
+
+  Mutex mutex_;
+  std::condition_variable_any changed_;
+  uint64_t last_begun_ GUARDED_BY(mutex_) = 0;
+  std::optional<Picture> latest_ GUARDED_BY(mutex_);
+  int num_waiting_ GUARDED_BY(mutex_) = 0;
+  bool closed_ GUARDED_BY(mutex_) = false;
 };
 
 }  // namespace rovio_sfm::sim

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <mutex>
 #include <utility>
+
+#include "rovio_sfm/util/mutex.h"
 
 namespace rovio_sfm::sim {
 
@@ -15,18 +16,18 @@ class Guarded {
 
   template <typename Function>
   auto With(Function&& function) {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const MutexLock lock(mutex_);
     return function(value_);
   }
 
   Value Copy() {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const MutexLock lock(mutex_);
     return value_;
   }
 
  private:
-  std::mutex mutex_;
-  Value value_;  // guarded by mutex_
+  Mutex mutex_;
+  Value value_ GUARDED_BY(mutex_);
 };
 
 }  // namespace rovio_sfm::sim

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <list>
-#include <mutex>
 #include <string>
 
 #include "rovio_sfm/sim/tcp_socket.h"
+#include "rovio_sfm/util/mutex.h"
 
 namespace rovio_sfm::sim {
 
@@ -31,8 +31,8 @@ class OpenStreams {
   int Drop(const std::string& path, const std::string& query);
 
  private:
-  std::mutex mutex_;
-  std::list<Entry*> entries_;  // guarded by mutex_
+  Mutex mutex_;
+  std::list<Entry*> entries_ GUARDED_BY(mutex_);
 };
 
 }  // namespace rovio_sfm::sim

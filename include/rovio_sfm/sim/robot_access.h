@@ -2,12 +2,12 @@
 
 #include <cstdint>
 #include <functional>
-#include <mutex>
 #include <utility>
 
 #include "rovio_sfm/sim/guarded.h"
 #include "rovio_sfm/sim/quirks.h"
 #include "rovio_sfm/sim/robot_backend.h"
+#include "rovio_sfm/util/mutex.h"
 
 namespace rovio_sfm::sim {
 
@@ -23,7 +23,7 @@ class RobotAccess {
 
   template <typename Function>
   auto With(Function&& function) {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const MutexLock lock(mutex_);
     Advance();
     return std::forward<Function>(function)(robot_);
   }
@@ -34,13 +34,13 @@ class RobotAccess {
   int64_t now_ns() const { return now_ns_(); }
 
  private:
-  void Advance();
+  void Advance() REQUIRES(mutex_);
 
   RobotBackend& robot_;
   const Clock now_ns_;
   Guarded<Quirks>& quirks_;
-  std::mutex mutex_;
-  int64_t time_ns_ = 0;  // guarded by mutex_: where the robot stands
+  Mutex mutex_;
+  int64_t time_ns_ GUARDED_BY(mutex_) = 0;  // where the robot stands
 };
 
 }  // namespace rovio_sfm::sim

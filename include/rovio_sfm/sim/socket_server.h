@@ -4,12 +4,12 @@
 #include <functional>
 #include <list>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <thread>
 
 #include "rovio_sfm/sim/stop_signal.h"
 #include "rovio_sfm/sim/tcp_socket.h"
+#include "rovio_sfm/util/mutex.h"
 
 namespace rovio_sfm::sim {
 
@@ -51,7 +51,9 @@ class SocketServer {
 
   void AcceptLoop();
   bool ReopenAfterAbsence();
-  bool WaitForFreePlace();
+  // Null when the server stops or goes away meanwhile.
+  std::shared_ptr<TcpListener> WaitForFreePlace();
+  int NumBusy() const REQUIRES(mutex_);
   void StartSession(std::unique_ptr<TcpConnection> connection);
   void RunSession(Session* session);
   void JoinSessions(bool all);
@@ -61,12 +63,12 @@ class SocketServer {
   StopSignal stop_;
   std::thread accept_thread_;
 
-  std::mutex mutex_;
-  std::condition_variable session_finished_;
-  std::unique_ptr<TcpListener> listener_;  // guarded by mutex_, replaced by the accept thread
-  std::list<std::unique_ptr<Session>> sessions_;  // guarded by mutex_
-  std::chrono::nanoseconds absence_{0};           // guarded by mutex_
-  bool stopping_ = false;                         // guarded by mutex_
+  Mutex mutex_;
+  std::condition_variable_any changed_;
+  std::shared_ptr<TcpListener> listener_ GUARDED_BY(mutex_);  // null while the robot is away
+  std::list<std::unique_ptr<Session>> sessions_ GUARDED_BY(mutex_);
+  std::chrono::nanoseconds absence_ GUARDED_BY(mutex_){0};
+  bool stopping_ GUARDED_BY(mutex_) = false;
 };
 
 }  // namespace rovio_sfm::sim

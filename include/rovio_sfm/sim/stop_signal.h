@@ -2,7 +2,8 @@
 
 #include <chrono>
 #include <condition_variable>
-#include <mutex>
+
+#include "rovio_sfm/util/mutex.h"
 
 namespace rovio_sfm::sim {
 
@@ -16,9 +17,9 @@ class StopSignal {
   bool WaitFor(std::chrono::nanoseconds duration) const;
 
  private:
-  mutable std::mutex mutex_;
-  mutable std::condition_variable changed_;
-  bool requested_ = false;  // guarded by mutex_
+  mutable Mutex mutex_;
+  mutable std::condition_variable_any changed_;
+  bool requested_ GUARDED_BY(mutex_) = false;
 };
 
 }  // namespace rovio_sfm::sim
