@@ -30,8 +30,9 @@ DriveMapper::DriveMapper(const MapperContext& context, DriveId drive, Camera cam
 
 MapperReport DriveMapper::Add(const FrameEvent& event) {
   MapperReport report;
-  if (current().state() == SessionState::kFinished) OpenSession();
-  if (const auto reason = Refuse(event)) {
+  const auto reason = Refuse(event);
+  if (!reason && current().state() == SessionState::kFinished) OpenSession();
+  if (reason) {
     ++counters_.refused_events;
     report.outcome = MapperOutcome::kRefused;
     report.reason = *reason;

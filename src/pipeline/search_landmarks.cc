@@ -50,9 +50,11 @@ class DescriptorReader {
  public:
   DescriptorReader(const FrameStore& store, const DriveId& drive) : store_(store), drive_(drive) {}
 
-  const uint8_t* Row(const Observation& observation) {
+  // Null where there is none of that length.
+  const uint8_t* Row(const Observation& observation, uint32_t length) {
     const Descriptors* descriptors = Of(observation.frame);
-    return descriptors == nullptr ? nullptr : descriptors->Row(observation.feature);
+    const bool known = descriptors != nullptr && descriptors->length == length;
+    return known ? descriptors->Row(observation.feature) : nullptr;
   }
 
   // Null where the frame or descriptors of bytes under L2 are missing.
@@ -181,7 +183,7 @@ SearchReport SearchLandmarks(uint32_t frame, const SearchLandmarksOptions& optio
     const auto it = session->landmarks().find(id);
     // A union of this very search may have removed it or have found it here.
     if (it == session->landmarks().end() || IsSeenIn(it->second, frame)) continue;
-    const uint8_t* appearance = reader.Row(NearestView(it->second, frame));
+    const uint8_t* appearance = reader.Row(NearestView(it->second, frame), descriptors->length);
     if (appearance == nullptr) continue;
     ++report.num_candidates;
     const Window window{session->keyframe(frame), grid, *descriptors, radius};

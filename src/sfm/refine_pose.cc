@@ -1,6 +1,7 @@
 #include "rovio_sfm/sfm/refine_pose.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 namespace rovio_sfm {
@@ -11,6 +12,7 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr double kMinDepth = 1e-9;
 constexpr double kConverged = 1e-10;
+constexpr double kMinEigenvalue = 1e-12;  // of the normalised Hessian; rounding leaves about 1e-16
 
 // The cost at a pose, and its Gauss-Newton system in (rotation, translation), left-multiplied.
 struct NormalEquations {
@@ -70,6 +72,15 @@ Rigid3 Step(const Rigid3& cam_from_map, const Vector6d& delta) {
   return stepped;
 }
 
+// False where some motion changes no residual: too few different points, or all on one line.
+bool DeterminesPose(const NormalEquations& system) {
+  const Vector6d scale = system.hessian.diagonal().cwiseSqrt().cwiseInverse();
+  if (!scale.allFinite()) return false;
+  const Matrix6d normalised = scale.asDiagonal() * system.hessian * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(normalised, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()[0] > kMinEigenvalue;
+}
+
 }  // namespace
 
 std::optional<Rigid3> RefinePose(const std::vector<PoseObservation>& observations,
@@ -98,6 +109,7 @@ std::optional<Rigid3> RefinePose(const std::vector<PoseObservation>& observation
     damping *= 0.1;
     if (delta.norm() < kConverged) break;
   }
+  if (!DeterminesPose(system)) return std::nullopt;
   return pose;
 }
 
