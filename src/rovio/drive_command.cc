@@ -5,6 +5,8 @@
 namespace rovio_sfm {
 namespace {
 
+constexpr int kMaxStopsInVain = 10;
+
 bool FallsSteadily(const std::array<double, 10>& table) {
   for (size_t i = 0; i + 1 < table.size(); ++i) {
     if (!(table[i] > table[i + 1])) return false;
@@ -90,11 +92,11 @@ std::optional<DriveCommand> DriveScheduler::Next(int64_t now_ns) {
 }
 
 void DriveScheduler::MarkSent(const DriveCommand& command, bool has_arrived) {
-  if (!has_arrived) {
-    wish_ = {};
-  } else if (command.code == DriveCode::kStop && wish_.code == DriveCode::kStop) {
-    is_moving_ = false;
-  }
+  const bool is_stop = command.code == DriveCode::kStop;
+  if (!has_arrived) wish_ = {};
+  num_stops_in_vain_ = is_stop && !has_arrived ? num_stops_in_vain_ + 1 : 0;
+  const bool is_over = has_arrived || num_stops_in_vain_ >= kMaxStopsInVain;
+  if (is_stop && wish_.code == DriveCode::kStop && is_over) is_moving_ = false;
 }
 
 }  // namespace rovio_sfm

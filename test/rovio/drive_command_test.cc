@@ -111,6 +111,13 @@ TEST(DriveScheduler, AfterALostLinkOnlyStopsUntilANewWish) {
   EXPECT_FALSE(RunFor(&scheduler, 1000, 1100).moves_ms.empty());
 }
 
+TEST(DriveScheduler, GivesUpToStopARobotThatIsGone) {
+  DriveScheduler scheduler({});
+  scheduler.SetWish({0.2, 0, 0}, 0);
+  EXPECT_EQ(RunFor(&scheduler, 0, 60000, false).stops_ms.size(), 10u);
+  EXPECT_FALSE(scheduler.IsMoving());
+}
+
 TEST(DriveOptions, RefusesTablesThatDoNotFallAndOddTimes) {
   std::string error;
   DriveOptions options;

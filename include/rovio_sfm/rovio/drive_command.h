@@ -68,6 +68,7 @@ class DriveScheduler {
   int64_t last_sent_ns_ = INT64_MIN / 2;
   DriveCommand last_sent_;
   bool is_moving_ = false;  // a motion was sent since the last stop that arrived
+  int num_stops_in_vain_ = 0;
 };
 
 }  // namespace rovio_sfm
