@@ -1,0 +1,187 @@
+#include "rovio_sfm/sfm/adjust_bundle.h"
+
+#include <gtest/gtest.h>
+
+#include "rovio_sfm/geometry/sim3.h"
+#include "synthetic/synthetic_session.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr BundleOptions kExact{50, 1.0, 1e-14};
+
+SyntheticWorld MakeWorld(double noise_px, int num_cams = 6) {
+  SyntheticOptions options;
+  options.num_points = 120;
+  options.num_cams = num_cams;
+  options.motion = SyntheticMotion::kCircle;
+  options.step = 0.4;
+  options.noise_px = noise_px;
+  return MakeSyntheticWorld(options);
+}
+
+BundleProblem MakeProblem(const SyntheticWorld& world) {
+  BundleProblem problem;
+  for (const Rigid3& pose : world.cams_from_map) problem.cameras.push_back({pose, false});
+  problem.points = world.points;
+  const Session session = MakeMappedSession(world);
+  for (uint32_t cam = 0; cam < world.views.size(); ++cam) {
+    for (const SyntheticView& view : world.views[cam]) {
+      if (session.FindLandmark(TrackOfPoint(view.point)) == nullptr) continue;  // seen once
+      problem.observations.push_back(
+          {cam, view.point, view.x_normalized, 1.0 / world.camera.MeanFocal()});
+    }
+  }
+  return problem;
+}
+
+// Moves all cameras but the first `num_kept`, and all points.
+void Disturb(BundleProblem* problem, size_t num_kept) {
+  Rng rng(5);
+  for (size_t i = num_kept; i < problem->cameras.size(); ++i) {
+    Rigid3& pose = problem->cameras[i].cam_from_map;
+    pose = PerturbPose(pose, 0.01, 0.02, rng);
+  }
+  for (Eigen::Vector3d& point : problem->points) {
+    const double x = rng.Gaussian(), y = rng.Gaussian(), z = rng.Gaussian();
+    point += 0.02 * Eigen::Vector3d(x, y, z);
+  }
+}
+
+std::vector<Eigen::Vector3d> Centers(const BundleProblem& problem) {
+  std::vector<Eigen::Vector3d> centers;
+  for (const BundleCamera& camera : problem.cameras) {
+    centers.push_back(OriginInA(camera.cam_from_map));
+  }
+  return centers;
+}
+
+// The largest distance of the camera centres from the truth after the best similarity.
+double ErrorUpToSimilarity(const BundleProblem& problem, const SyntheticWorld& world) {
+  const auto centers = Centers(problem), truth = Centers(MakeProblem(world));
+  const auto truth_from_map = AlignPoints(centers, truth);
+  if (!truth_from_map) return HUGE_VAL;
+  double worst = 0.0;
+  for (size_t i = 0; i < centers.size(); ++i) {
+    worst = std::max(worst, (*truth_from_map * centers[i] - truth[i]).norm());
+  }
+  return worst;
+}
+
+TEST(AdjustBundle, RecoversTheExactWorldUpToASimilarity) {
+  const SyntheticWorld world = MakeWorld(0.0);
+  BundleProblem problem = MakeProblem(world);
+  Disturb(&problem, 1);
+  const BundleReport report = AdjustBundle(&problem, kExact);
+  ASSERT_TRUE(report.usable) << report.message;
+  EXPECT_LT(report.final_cost, 1e-6 * report.initial_cost);
+  EXPECT_LT(ErrorUpToSimilarity(problem, world), 1e-5);
+}
+
+TEST(AdjustBundle, RecoversTheScaleToo_WithTwoFixedCameras) {
+  const SyntheticWorld world = MakeWorld(0.0);
+  BundleProblem problem = MakeProblem(world);
+  problem.cameras[0].fixed = problem.cameras[1].fixed = true;
+  Disturb(&problem, 2);
+  ASSERT_TRUE(AdjustBundle(&problem, kExact).usable);
+  for (size_t i = 0; i < world.cams_from_map.size(); ++i) {
+    EXPECT_LT(PoseDistance(problem.cameras[i].cam_from_map, world.cams_from_map[i]), 1e-5);
+  }
+  EXPECT_EQ(problem.cameras[1].cam_from_map.translation, world.cams_from_map[1].translation);
+  for (const BundleObservation& o : problem.observations) {
+    EXPECT_LT((problem.points[o.point] - world.points[o.point]).norm(), 1e-3);
+  }
+}
+
+TEST(AdjustBundle, HoldsTheGaugeByTheFirstCameraAndOneComponent) {
+  const SyntheticWorld world = MakeWorld(0.5);
+  BundleProblem problem = MakeProblem(world);
+  const BundleProblem before = problem;
+  ASSERT_TRUE(AdjustBundle(&problem, kExact).usable);
+  EXPECT_EQ(problem.cameras[0].cam_from_map.translation,
+            before.cameras[0].cam_from_map.translation);
+  EXPECT_EQ(problem.cameras[0].cam_from_map.rotation.coeffs(),
+            before.cameras[0].cam_from_map.rotation.coeffs());
+  const Eigen::Vector3d moved = problem.cameras.back().cam_from_map.translation -
+                                before.cameras.back().cam_from_map.translation;
+  EXPECT_EQ(moved.cwiseAbs().minCoeff(), 0.0) << moved.transpose();
+  EXPECT_GT(moved.norm(), 0.0);
+}
+
+TEST(AdjustBundle, HoldsTheScaleByOneComponentWhereOneCameraIsFixed) {
+  const SyntheticWorld world = MakeWorld(0.5);
+  BundleProblem problem = MakeProblem(world);
+  problem.cameras.back().fixed = true;
+  const BundleProblem before = problem;
+  ASSERT_TRUE(AdjustBundle(&problem, kExact).usable);
+  EXPECT_EQ(problem.cameras.back().cam_from_map.translation,
+            before.cameras.back().cam_from_map.translation);
+  const Eigen::Vector3d moved =
+      problem.cameras[0].cam_from_map.translation - before.cameras[0].cam_from_map.translation;
+  EXPECT_EQ(moved.cwiseAbs().minCoeff(), 0.0) << moved.transpose();
+}
+
+TEST(AdjustBundle, GivesTheSameCostInAnotherGauge) {
+  const SyntheticWorld world = MakeWorld(0.5);
+  const Sim3 b_from_a{3.0, Eigen::Quaterniond(0.7, 0.2, -0.4, 0.1).normalized(), {5, -2, 9}};
+  BundleProblem in_a = MakeProblem(world), in_b = MakeProblem(TransformWorld(b_from_a, world));
+  const BundleReport a = AdjustBundle(&in_a, kExact), b = AdjustBundle(&in_b, kExact);
+  ASSERT_TRUE(a.usable && b.usable);
+  EXPECT_NEAR(a.initial_cost, b.initial_cost, 1e-9 * a.initial_cost);
+  EXPECT_NEAR(a.final_cost, b.final_cost, 1e-6 * a.final_cost);
+  EXPECT_NEAR(ErrorUpToSimilarity(in_a, world), ErrorUpToSimilarity(in_b, world), 1e-5);
+}
+
+TEST(AdjustBundle, StaysNearTheTruthWithNoise) {
+  const SyntheticWorld world = MakeWorld(1.0);
+  BundleProblem problem = MakeProblem(world);
+  Disturb(&problem, 1);
+  ASSERT_TRUE(AdjustBundle(&problem, kExact).usable);
+  EXPECT_LT(ErrorUpToSimilarity(problem, world), 0.03);
+}
+
+TEST(AdjustBundle, TheRobustLossBearsOutliers) {
+  const SyntheticWorld world = MakeWorld(0.0);
+  BundleProblem robust = MakeProblem(world);
+  for (size_t i = 0; i < robust.observations.size(); i += 20) {
+    robust.observations[i].x_normalized.x() += 0.1;
+  }
+  Disturb(&robust, 1);
+  BundleProblem squared = robust;
+  ASSERT_TRUE(AdjustBundle(&robust, {50, 1.0, 1e-10}).usable);
+  ASSERT_TRUE(AdjustBundle(&squared, {50, 0.0, 1e-10}).usable);
+  EXPECT_LT(ErrorUpToSimilarity(robust, world), 0.01);
+  EXPECT_LT(ErrorUpToSimilarity(robust, world), 0.2 * ErrorUpToSimilarity(squared, world));
+}
+
+void ExpectSameBytesTwice(int num_cams) {
+  const SyntheticWorld world = MakeWorld(1.0, num_cams);
+  BundleProblem a = MakeProblem(world), b = a;
+  ASSERT_TRUE(AdjustBundle(&a, {}).usable);
+  ASSERT_TRUE(AdjustBundle(&b, {}).usable);
+  EXPECT_EQ(Centers(a), Centers(b));
+  EXPECT_EQ(a.points, b.points);
+}
+
+TEST(AdjustBundle, GivesTheSameBytesTwice_Dense) { ExpectSameBytesTwice(6); }
+TEST(AdjustBundle, GivesTheSameBytesTwice_Sparse) { ExpectSameBytesTwice(30); }
+
+TEST(AdjustBundle, RefusesWhatItCannotSolveAndChangesNothing) {
+  BundleProblem empty;
+  EXPECT_FALSE(AdjustBundle(&empty, {}).usable);
+  const SyntheticWorld world = MakeWorld(0.0, 2);
+  BundleProblem unseen = MakeProblem(world);
+  unseen.observations.clear();
+  const BundleReport report = AdjustBundle(&unseen, {});
+  EXPECT_FALSE(report.usable);
+  EXPECT_FALSE(report.message.empty());
+  BundleProblem behind = MakeProblem(world);
+  behind.points[behind.observations[0].point] = {0, 0, -3};
+  const std::vector<Eigen::Vector3d> points = behind.points;
+  EXPECT_FALSE(AdjustBundle(&behind, {}).usable);
+  EXPECT_EQ(behind.points, points);
+  EXPECT_EQ(Centers(behind), Centers(unseen));
+}
+
+}  // namespace
+}  // namespace rovio_sfm
