@@ -1,0 +1,90 @@
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "rovio_sfm/pipeline/frontend.h"
+#include "rovio_sfm/ros/event_history.h"
+#include "rovio_sfm/ros/frontend_node_options.h"
+#include "rovio_sfm/ros/image_gate.h"
+#include "rovio_sfm/ros/robot_sensors.h"
+#include "rovio_sfm/util/mutex.h"
+#include "rovio_sfm/util/worker.h"
+
+namespace rovio_sfm {
+
+// One robot's images in, frame events out. Callbacks (one thread) put image, odometry and head pose
+// together and push; the worker thread decodes, extracts, matches and publishes.
+class FrontendNode {
+ public:
+  // `nonce` tells this frontend's drives from those of its last start.
+  FrontendNode(const FrontendNodeOptions& options, uint32_t nonce, ros::NodeHandle node,
+               ros::NodeHandle private_node);
+  // Handles the images that are queued and publishes their events.
+  ~FrontendNode();
+
+  // Releases images that waited long enough; call at least ten times a second.
+  void Tick();
+
+ private:
+  static constexpr size_t kImageQueue = 2;  // images before the worker; drop oldest
+
+  // What the worker thread did, for the diagnostics.
+  struct Progress {
+    FrontendCounters counters;
+    std::string last_refusal;
+    uint64_t num_with_odometry = 0;
+    double last_duration_s = 0.0;
+  };
+  // The last keyframe, for drawing.
+  struct Drawn {
+    FrameEvent event;
+    cv::Mat bgr;
+  };
+
+  void Advertise();
+  void Subscribe();
+
+  template <typename Message>
+  void OnImage(const boost::shared_ptr<const Message>& message);
+  void OnCameraInfo(const sensor_msgs::CameraInfo::ConstPtr& message);
+  void OnOdometry(const nav_msgs::Odometry::ConstPtr& message);
+  void ReleaseImages();
+  bool GetFrames(GetFramesRequest& request, GetFramesResponse& response);
+  void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  void Handle(ImageEvent image);  // worker thread, as the rest
+  void Publish(const FrameEvent& event, const PreparedImage& image);
+  void PublishMatches(const FrameEvent& event, const cv::Mat& bgr);
+  void NoteProgress(const std::optional<FrameEvent>& event, double duration_s);
+
+  const FrontendNodeOptions options_;
+  ros::NodeHandle node_;
+  tf2_ros::Buffer transforms_;
+  tf2_ros::TransformListener transform_listener_;
+  RobotSensors sensors_;
+  ImageGate gate_;
+  uint64_t num_malformed_ = 0;
+  EventHistory history_;
+  mutable Mutex mutex_;
+  Progress progress_ GUARDED_BY(mutex_);
+  std::string optical_frame_ GUARDED_BY(mutex_);  // of the last image
+
+  Frontend frontend_;           // worker thread only
+  std::optional<Drawn> drawn_;  // worker thread only
+  ros::Publisher frames_, preview_, matches_;
+  ros::Subscriber image_subscriber_, info_subscriber_, odom_subscriber_;
+  ros::ServiceServer get_frames_;
+  diagnostic_updater::Updater diagnostics_;
+  Worker<ImageEvent> worker_;  // last: its thread uses the others
+};
+
+}  // namespace rovio_sfm

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <nav_msgs/Path.h>
+#include <rovio_sfm/MapStatus.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+
+#include "rovio_sfm/pipeline/level_map.h"
+#include "rovio_sfm/ros/mapping_engine.h"
+
+// What mapping shows of a snapshot. Lengths are metres where the map is metric, else map units.
+namespace rovio_sfm {
+
+// Fields x y z rgb (float32), session views (uint32), error (float32, px); the landmarks that
+// count, in `frame_id`, the level frame of the map.
+sensor_msgs::PointCloud2 CloudMessage(const LevelMap& map, const std::string& frame_id,
+                                      const ros::Time& stamp);
+
+// The cameras of a session in session_<n>/map, by index; weak poses are left out.
+nav_msgs::Path PathMessage(const SessionSnapshot& session, const ros::Time& stamp);
+
+// One list of frusta per session, in its own colour and frame; keyframes only.
+visualization_msgs::MarkerArray CameraMarkers(const MapSnapshot& snapshot, const ros::Time& stamp);
+
+SessionSummary SummaryOf(const SessionSnapshot& session);
+std::vector<SessionSummary> SessionSummaries(const MapSnapshot& snapshot);
+std::vector<MapSummary> MapSummaries(const MapSnapshot& snapshot);
+
+}  // namespace rovio_sfm

@@ -1,0 +1,68 @@
+#include "rovio_sfm/ros/event_history.h"
+
+#include <ros/serialization.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "rovio_sfm/ros/conversions.h"
+#include "rovio_sfm/ros/status.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr uint32_t kMaxPage = 100;
+
+size_t SizeOf(const FrameEventMsg& event) { return ros::serialization::serializationLength(event); }
+
+bool IsOfDrive(const FrameEventMsg& event, const DriveIdMsg& drive) {
+  return event.id.drive.robot == drive.robot && event.id.drive.start == drive.start &&
+         event.id.drive.nonce == drive.nonce;
+}
+
+}  // namespace
+
+void EventHistory::Add(FrameEventMsg::ConstPtr event) {
+  MutexLock lock(mutex_);
+  num_bytes_ += SizeOf(*event);
+  events_.push_back(std::move(event));
+  while (events_.size() > max_events_ || (num_bytes_ > max_bytes_ && events_.size() > 1)) {
+    num_bytes_ -= SizeOf(*events_.front());
+    events_.pop_front();
+  }
+}
+
+void EventHistory::Clear() {
+  MutexLock lock(mutex_);
+  events_.clear();
+  num_bytes_ = 0;
+}
+
+GetFramesResponse EventHistory::Page(const GetFramesRequest& request) const {
+  GetFramesResponse response;
+  std::string error;
+  if (!FromMessage(request.first, &error)) {
+    response.status = InvalidArgument("first." + error);
+    return response;
+  }
+  if (request.max_frames < 1 || request.max_frames > kMaxPage) {
+    response.status = InvalidArgument("max_frames: expected 1 to 100");
+    return response;
+  }
+  MutexLock lock(mutex_);
+  for (const FrameEventMsg::ConstPtr& event : events_) {
+    if (!IsOfDrive(*event, request.first.drive) || event->id.index < request.first.index) continue;
+    if (response.frames.size() == request.max_frames) {
+      response.more = true;
+      response.next_index = event->id.index;
+      break;
+    }
+    response.frames.push_back(*event);
+  }
+  response.status = response.frames.empty()
+                        ? NotFound("no frame of that drive from that index on is held")
+                        : Ok(std::to_string(response.frames.size()) + " frames");
+  return response;
+}
+
+}  // namespace rovio_sfm

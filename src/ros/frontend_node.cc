@@ -1,0 +1,191 @@
+#include "rovio_sfm/ros/frontend_node.h"
+
+#include <cv_bridge/cv_bridge.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
+
+#include <utility>
+
+#include "rovio_sfm/ros/conversions.h"
+#include "rovio_sfm/ros/draw_matches.h"
+#include "rovio_sfm/ros/frame_event_message.h"
+#include "rovio_sfm/ros/topics.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr size_t kHistoryEvents = 100;
+constexpr size_t kHistoryBytes = 100u << 20;
+constexpr double kWarnPeriodS = 10.0;
+
+double SteadySeconds() { return ros::SteadyTime::now().toSec(); }
+
+void PublishImage(const cv::Mat& bgr, const std_msgs::Header& header,
+                  const ros::Publisher& publisher) {
+  publisher.publish(cv_bridge::CvImage(header, "bgr8", bgr).toImageMsg());
+}
+
+}  // namespace
+
+FrontendNode::FrontendNode(const FrontendNodeOptions& options, uint32_t nonce, ros::NodeHandle node,
+                           ros::NodeHandle private_node)
+    : options_(options),
+      node_(node),
+      transform_listener_(transforms_),
+      sensors_(options.sensors, &transforms_),
+      gate_(options.gate, &sensors_),
+      history_(kHistoryEvents, kHistoryBytes),
+      frontend_(options.frontend, options.robot, options.seed, nonce),
+      diagnostics_(node, private_node),
+      worker_(kImageQueue, WhenFull::kDropOldest,
+              [this](ImageEvent image) { Handle(std::move(image)); }) {
+  diagnostics_.setHardwareID(options_.robot);
+  diagnostics_.add("images to frames", this, &FrontendNode::Diagnose);
+  Advertise();
+  Subscribe();
+}
+
+FrontendNode::~FrontendNode() { worker_.Finish(); }
+
+void FrontendNode::Advertise() {
+  frames_ = node_.advertise<FrameEventMsg>(topics::kFrames, topics::kFramesQueue);
+  preview_ = node_.advertise<sensor_msgs::Image>(topics::kPreview, topics::kPreviewQueue);
+  matches_ = node_.advertise<sensor_msgs::Image>(topics::kDebugMatches, topics::kPreviewQueue);
+  get_frames_ = node_.advertiseService(topics::kGetFrames, &FrontendNode::GetFrames, this);
+}
+
+void FrontendNode::Subscribe() {
+  info_subscriber_ = node_.subscribe(topics::kCameraInfo, topics::kCameraInfoQueue,
+                                     &FrontendNode::OnCameraInfo, this);
+  odom_subscriber_ =
+      node_.subscribe(topics::kOdom, topics::kOdomQueue, &FrontendNode::OnOdometry, this);
+  image_subscriber_ =
+      options_.compressed
+          ? node_.subscribe(topics::kImageCompressed, topics::kImageQueue,
+                            &FrontendNode::OnImage<sensor_msgs::CompressedImage>, this)
+          : node_.subscribe(topics::kImageRaw, topics::kImageQueue,
+                            &FrontendNode::OnImage<sensor_msgs::Image>, this);
+}
+
+template <typename Message>
+void FrontendNode::OnImage(const boost::shared_ptr<const Message>& message) {
+  std::string error;
+  ImageBytes bytes = BytesOf(*message, &error);
+  if (bytes == nullptr) {
+    ++num_malformed_;
+    ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "image refused: " << error);
+    return;
+  }
+  {
+    MutexLock lock(mutex_);
+    optical_frame_ = message->header.frame_id;
+  }
+  gate_.Add({message->header, std::to_string(message->header.seq), std::move(bytes)},
+            SteadySeconds());
+  ReleaseImages();
+}
+
+void FrontendNode::OnCameraInfo(const sensor_msgs::CameraInfo::ConstPtr& message) {
+  std::string error;
+  if (sensors_.AddCameraInfo(*message, &error)) return;
+  ++num_malformed_;
+  ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "camera_info refused: " << error);
+}
+
+void FrontendNode::OnOdometry(const nav_msgs::Odometry::ConstPtr& message) {
+  std::string error;
+  if (!sensors_.AddOdometry(*message, &error)) {
+    ++num_malformed_;
+    ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "odometry refused: " << error);
+  }
+  ReleaseImages();
+}
+
+void FrontendNode::Tick() {
+  ReleaseImages();
+  diagnostics_.update();
+}
+
+void FrontendNode::ReleaseImages() {
+  while (std::optional<ImageEvent> image = gate_.Take(SteadySeconds())) {
+    worker_.Push(std::move(*image));
+  }
+}
+
+bool FrontendNode::GetFrames(GetFramesRequest& request, GetFramesResponse& response) {
+  response = history_.Page(request);
+  return true;
+}
+
+void FrontendNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  Progress progress;
+  {
+    MutexLock lock(mutex_);
+    progress = progress_;
+  }
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  if (progress.counters.images == 0) {
+    const char* reason = sensors_.HasCamera() ? "no images yet" : "no images or camera_info yet";
+    status.summary(Level::WARN, reason);
+  } else if (!progress.last_refusal.empty()) {
+    status.summary(Level::WARN, progress.last_refusal);
+  } else {
+    status.summary(Level::OK, "images become frames");
+  }
+  status.add("images", progress.counters.images);
+  status.add("keyframes", progress.counters.keyframes);
+  status.add("light frames", progress.counters.light_frames);
+  status.add("frames with odometry", progress.num_with_odometry);
+  status.add("images dropped, queue full", gate_.NumDropped() + worker_.NumDropped());
+  status.add("images refused", progress.counters.refused);
+  status.add("images spoilt", progress.counters.spoilt);
+  status.add("images without features", progress.counters.featureless);
+  status.add("images lost by the tracker", progress.counters.untracked);
+  status.add("malformed messages", num_malformed_);
+  status.add("drives", progress.counters.drives);
+  status.add("last image took ms", 1e3 * progress.last_duration_s);
+}
+
+void FrontendNode::Handle(ImageEvent image) {
+  const double start_s = SteadySeconds();
+  const PreparedImage prepared = PrepareImage(image, options_.frontend);
+  const std::optional<FrameEvent> event = frontend_.Add(prepared);
+  if (event) Publish(*event, prepared);
+  NoteProgress(event, SteadySeconds() - start_s);
+}
+
+void FrontendNode::Publish(const FrameEvent& event, const PreparedImage& image) {
+  std::string optical_frame;
+  {
+    MutexLock lock(mutex_);
+    optical_frame = optical_frame_;
+  }
+  const auto message = boost::make_shared<FrameEventMsg>(ToMessage(event, optical_frame));
+  frames_.publish(message);
+  history_.Add(message);
+  if (preview_.getNumSubscribers() > 0) {
+    PublishImage(DrawKeypoints(image.bgr, event), message->header, preview_);
+  }
+  if (event.kind != FrameKind::kKeyframe) return;
+  if (matches_.getNumSubscribers() > 0 && drawn_) PublishMatches(event, image.bgr);
+  drawn_ = Drawn{event, image.bgr};
+}
+
+void FrontendNode::PublishMatches(const FrameEvent& event, const cv::Mat& bgr) {
+  if (event.pairs.empty() || event.pairs.front().other_index != drawn_->event.id.index) return;
+  std_msgs::Header header;
+  header.stamp = ToTime(event.stamp_ns);
+  PublishImage(DrawMatches(drawn_->bgr, *drawn_->event.features, bgr, *event.features,
+                           event.pairs.front(), options_.frontend.pair),
+               header, matches_);
+}
+
+void FrontendNode::NoteProgress(const std::optional<FrameEvent>& event, double duration_s) {
+  MutexLock lock(mutex_);
+  progress_.counters = frontend_.counters();
+  progress_.last_refusal = event ? "" : frontend_.last_refusal();
+  progress_.last_duration_s = duration_s;
+  if (event && event->odometry) ++progress_.num_with_odometry;
+}
+
+}  // namespace rovio_sfm

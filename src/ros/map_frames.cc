@@ -1,0 +1,104 @@
+#include "rovio_sfm/ros/map_frames.h"
+
+#include <algorithm>
+
+#include "rovio_sfm/ros/conversions.h"
+
+namespace rovio_sfm {
+namespace {
+
+Rigid3 OdomFromBase(const OdometrySample& sample) {
+  const Eigen::AngleAxisd yaw(sample.yaw_rad, Eigen::Vector3d::UnitZ());
+  return {Eigen::Quaterniond(yaw), {sample.x_m, sample.y_m, 0.0}};
+}
+
+geometry_msgs::TransformStamped Edge(const std::string& parent, const std::string& child,
+                                     const Rigid3& parent_from_child, const ros::Time& stamp) {
+  geometry_msgs::TransformStamped edge;
+  edge.header.stamp = stamp;
+  edge.header.frame_id = parent;
+  edge.child_frame_id = child;
+  edge.transform = ToTransform(parent_from_child);
+  return edge;
+}
+
+const SessionSnapshot* FindSession(const MapSnapshot& snapshot, SessionId id) {
+  for (const SessionSnapshot& session : snapshot.sessions) {
+    if (session.id == id) return &session;
+  }
+  return nullptr;
+}
+
+// The edge that carries a robot; nothing while its anchor has no pose.
+std::optional<geometry_msgs::TransformStamped> RobotEdge(const std::string& robot,
+                                                         const OdometryAnchor& anchor,
+                                                         const SessionSnapshot& session,
+                                                         const ros::Time& stamp) {
+  const FrameSnapshot* frame = FindFrame(session, anchor.index);
+  if (frame == nullptr) return std::nullopt;
+  const std::optional<Rigid3> level_from_camera = CameraInLevel(session, *frame);
+  if (!level_from_camera) return std::nullopt;
+  const std::string parent = SessionFrame(session.id);
+  if (!session.scale || !anchor.odometry || !frame->base_from_camera) {
+    return Edge(parent, robot + "/camera_map", *level_from_camera, stamp);
+  }
+  const Rigid3 level_from_base = *level_from_camera * Inverse(*frame->base_from_camera);
+  const Rigid3 level_from_odom = level_from_base * Inverse(OdomFromBase(*anchor.odometry));
+  return Edge(parent, robot + "/odom", level_from_odom, stamp);
+}
+
+// map_from_level of a session of the root map; equal scales, so a rigid motion is left.
+std::optional<Rigid3> RootFromLevel(const SessionSnapshot& root, const SessionSnapshot& session) {
+  const std::optional<Sim3> root_level = LevelFromSession(root);
+  const std::optional<Sim3> level = LevelFromSession(session);
+  if (!root_level || !level) return std::nullopt;
+  const Sim3 root_from_level =
+      *root_level * Inverse(root.map_from_session) * session.map_from_session * Inverse(*level);
+  return Rigid3{root_from_level.rotation, root_from_level.translation};
+}
+
+}  // namespace
+
+std::string MapFrame() { return "map"; }
+
+std::string SessionFrame(SessionId session) {
+  return "session_" + std::to_string(session.value) + "/map";
+}
+
+const FrameSnapshot* FindFrame(const SessionSnapshot& session, uint32_t index) {
+  for (const auto& block : session.frames) {
+    if (block->empty() || block->back().index < index) continue;
+    const auto frame =
+        std::lower_bound(block->begin(), block->end(), index,
+                         [](const FrameSnapshot& f, uint32_t value) { return f.index < value; });
+    return frame->index == index ? &*frame : nullptr;
+  }
+  return nullptr;
+}
+
+std::optional<Rigid3> CameraInLevel(const SessionSnapshot& session, const FrameSnapshot& frame) {
+  const std::optional<Sim3> level_from_session = LevelFromSession(session);
+  if (!level_from_session) return std::nullopt;
+  return Inverse(TransformCamera(*level_from_session, frame.cam_from_session));
+}
+
+std::vector<geometry_msgs::TransformStamped> MapEdges(const MapPicture& picture,
+                                                      const ros::Time& stamp) {
+  std::vector<geometry_msgs::TransformStamped> edges;
+  const std::vector<SessionSnapshot>& sessions = picture.snapshot->sessions;
+  for (const SessionSnapshot& session : sessions) {
+    if (!(session.map == sessions.front().map)) continue;
+    const auto root_from_level = RootFromLevel(sessions.front(), session);
+    if (root_from_level) {
+      edges.push_back(Edge(MapFrame(), SessionFrame(session.id), *root_from_level, stamp));
+    }
+  }
+  for (const auto& [robot, anchor] : picture.anchors) {
+    const SessionSnapshot* session = FindSession(*picture.snapshot, anchor.session);
+    if (session == nullptr) continue;
+    if (const auto edge = RobotEdge(robot, anchor, *session, stamp)) edges.push_back(*edge);
+  }
+  return edges;
+}
+
+}  // namespace rovio_sfm

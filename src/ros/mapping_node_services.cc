@@ -1,0 +1,98 @@
+// The services of MappingNode; see mapping_node.h.
+#include <future>
+#include <utility>
+
+#include "rovio_sfm/ros/export_map.h"
+#include "rovio_sfm/ros/map_messages.h"
+#include "rovio_sfm/ros/mapping_node.h"
+#include "rovio_sfm/ros/status.h"
+#include "rovio_sfm/ros/topics.h"
+
+namespace rovio_sfm {
+
+void MappingNode::AdvertiseServices() {
+  ros::NodeHandle node(node_);
+  node.setCallbackQueue(&service_queue_);
+  services_ = {
+      node.advertiseService(topics::kListSessions, &MappingNode::ListSessions, this),
+      node.advertiseService(topics::kGetFrames, &MappingNode::GetFrames, this),
+      node.advertiseService(topics::kStartSession, &MappingNode::StartSession, this),
+      node.advertiseService(topics::kFinishSession, &MappingNode::FinishSession, this),
+      node.advertiseService(topics::kExportMap, &MappingNode::ExportMap, this),
+      node.advertiseService(topics::kReset, &MappingNode::Reset, this),
+  };
+}
+
+bool MappingNode::ListSessions(ListSessionsRequest&, ListSessionsResponse& response) {
+  const MapPicture picture = engine_.Picture();
+  response.sessions = SessionSummaries(*picture.snapshot);
+  response.maps = MapSummaries(*picture.snapshot);
+  response.status = Ok(std::to_string(response.sessions.size()) + " sessions in " +
+                       std::to_string(response.maps.size()) + " maps");
+  return true;
+}
+
+bool MappingNode::GetFrames(GetFramesRequest& request, GetFramesResponse& response) {
+  response = history_.Page(request);
+  return true;
+}
+
+bool MappingNode::StartSession(StartSessionRequest& request, StartSessionResponse& response) {
+  uint32_t session = 0;
+  response.status = CloseSession(request.robot, &session);
+  return true;
+}
+
+bool MappingNode::FinishSession(FinishSessionRequest& request, FinishSessionResponse& response) {
+  response.status = CloseSession(request.robot, &response.session);
+  return true;
+}
+
+Status MappingNode::CloseSession(const std::string& robot, uint32_t* session) {
+  std::string error;
+  if (!IsValidRobotName(robot, &error)) return InvalidArgument(error);
+  bool is_known = false;
+  const bool has_run = RunOnWorker([&] {
+    const MapPicture picture = engine_.Picture();
+    const auto anchor = picture.anchors.find(robot);
+    if (anchor != picture.anchors.end()) *session = anchor->second.session.value;
+    is_known = engine_.FinishSession(robot);
+  });
+  if (!has_run) return Internal("the call was dropped: too many frames are queued");
+  if (!is_known) return NotFound("robot " + robot + " has no session that runs");
+  return Ok("the session of " + robot + " is finished; its next frame begins another");
+}
+
+bool MappingNode::ExportMap(ExportMapRequest& request, ExportMapResponse& response) {
+  response = ExportMapFiles(*engine_.Picture().snapshot, options_.output_dir, request);
+  return true;
+}
+
+bool MappingNode::Reset(ResetRequest& request, ResetResponse& response) {
+  if (!request.confirm) {
+    response.status = InvalidArgument("confirm: expected true; all maps would be forgotten");
+    return true;
+  }
+  const bool has_run = RunOnWorker([this] {
+    engine_.Reset();
+    history_.Clear();
+  });
+  response.status = has_run ? Ok("all maps are forgotten")
+                            : Internal("the call was dropped: too many frames are queued");
+  return true;
+}
+
+bool MappingNode::RunOnWorker(Job job) {
+  auto task = std::make_shared<std::packaged_task<void()>>(std::move(job));
+  std::future<void> done = task->get_future();
+  if (!worker_.Push([task] { (*task)(); })) return false;
+  task.reset();  // so that a dropped job breaks its promise
+  try {
+    done.get();
+    return true;
+  } catch (const std::future_error&) {
+    return false;
+  }
+}
+
+}  // namespace rovio_sfm

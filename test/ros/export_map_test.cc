@@ -1,0 +1,67 @@
+#include "rovio_sfm/ros/export_map.h"
+
+#include <gtest/gtest.h>
+#include <rovio_sfm/Status.h>
+
+#include "ros/small_map.h"
+
+namespace rovio_sfm {
+namespace {
+
+class ExportMapTest : public testing::Test {
+ protected:
+  ExportMapTest() {
+    folder_ = std::filesystem::path(testing::TempDir()) / "export_map_test" /
+              testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::filesystem::remove_all(folder_);
+  }
+
+  ExportMapResponse Export(const std::string& name, bool overwrite = false, uint32_t map = 0) {
+    ExportMapRequest request;
+    request.name = name;
+    request.overwrite = overwrite;
+    request.map = map;
+    return ExportMapFiles(*SmallMaps(1), folder_.string(), request);
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(ExportMapTest, WritesCloudAndTrajectoryAndTellsWhere) {
+  const ExportMapResponse response = Export("first");
+  ASSERT_EQ(response.status.code, Status::OK) << response.status.message;
+  ASSERT_EQ(response.files.size(), 2u);
+  for (const std::string& file : response.files) EXPECT_TRUE(std::filesystem::exists(file));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "first" / "cloud.ply"));
+}
+
+TEST_F(ExportMapTest, ReplacesNothingUnasked) {
+  Export("");
+  EXPECT_EQ(Export("").status.code, Status::ALREADY_EXISTS);
+  EXPECT_EQ(Export("", true).status.code, Status::OK);
+}
+
+TEST_F(ExportMapTest, StaysBelowItsFolder) {
+  for (const char* name : {"../out", "/etc", "..", ".hidden", "a/b"}) {
+    EXPECT_EQ(Export(name).status.code, Status::INVALID_ARGUMENT) << name;
+  }
+}
+
+TEST_F(ExportMapTest, UnknownMapIsNotFound) {
+  EXPECT_EQ(Export("", false, 7).status.code, Status::NOT_FOUND);
+}
+
+TEST_F(ExportMapTest, WithoutAFolderNothingIsWritten) {
+  const ExportMapResponse response = ExportMapFiles(*SmallMaps(1), "", ExportMapRequest());
+  EXPECT_EQ(response.status.code, Status::FAILED_PRECONDITION);
+}
+
+TEST_F(ExportMapTest, FolderThatCannotBeMadeIsAnError) {
+  const ExportMapResponse response =
+      ExportMapFiles(*SmallMaps(1), "/proc/nowhere", ExportMapRequest());
+  EXPECT_EQ(response.status.code, Status::INTERNAL);
+  EXPECT_FALSE(response.status.message.empty());
+}
+
+}  // namespace
+}  // namespace rovio_sfm

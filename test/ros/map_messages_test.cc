@@ -1,0 +1,68 @@
+#include "rovio_sfm/ros/map_messages.h"
+
+#include <gtest/gtest.h>
+#include <sensor_msgs/point_cloud2_iterator.h>
+
+#include "ros/small_map.h"
+
+namespace rovio_sfm {
+namespace {
+
+TEST(MapMessages, CloudHoldsPositionColourSessionViewsAndError) {
+  const auto map = FindLevelMap(*SmallMaps(1), MapId{1});
+  ASSERT_TRUE(map);
+  const sensor_msgs::PointCloud2 cloud = CloudMessage(*map, "map", ros::Time(3));
+  ASSERT_EQ(cloud.width * cloud.height, 2u);
+  EXPECT_EQ(cloud.header.frame_id, "map");
+  sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x"), error(cloud, "error");
+  EXPECT_NEAR(x[0], 5.0f, 1e-5f);  // forward
+  EXPECT_NEAR(x[2], 1.0f, 1e-5f);  // up
+  EXPECT_FLOAT_EQ(*error, 0.5f);
+  sensor_msgs::PointCloud2ConstIterator<uint8_t> bgr(cloud, "rgb");
+  EXPECT_EQ(bgr[2], 10);
+  EXPECT_EQ(bgr[0], 30);
+  sensor_msgs::PointCloud2ConstIterator<uint32_t> views(cloud, "views"), session(cloud, "session");
+  EXPECT_EQ(*views, 2u);
+  EXPECT_EQ(*session, 1u);
+}
+
+TEST(MapMessages, PathRunsForwardInTheFrameOfItsSession) {
+  const nav_msgs::Path path = PathMessage(SmallSession(2), ros::Time(3));
+  EXPECT_EQ(path.header.frame_id, "session_2/map");
+  ASSERT_EQ(path.poses.size(), 3u);
+  EXPECT_NEAR(path.poses[2].pose.position.x, 2.0, 1e-9);
+  EXPECT_NEAR(path.poses[2].pose.position.z, 0.0, 1e-9);
+  EXPECT_EQ(path.poses[2].header.stamp, ros::Time(3));
+}
+
+TEST(MapMessages, MarkersDrawEveryKeyframeInTheColourOfItsSession) {
+  const auto markers = CameraMarkers(*SmallMaps(2), ros::Time(3)).markers;
+  ASSERT_EQ(markers.size(), 3u);  // the first clears
+  EXPECT_EQ(markers[1].points.size(), 3u * 16u);
+  EXPECT_EQ(markers[2].header.frame_id, "session_2/map");
+  EXPECT_NE(markers[1].color.r, markers[2].color.r);
+}
+
+TEST(MapMessages, SummariesCountFramesAndLandmarks) {
+  const auto snapshot = SmallMaps(2);
+  const auto sessions = SessionSummaries(*snapshot);
+  ASSERT_EQ(sessions.size(), 2u);
+  EXPECT_EQ(sessions[1].num_keyframes, 3u);
+  EXPECT_EQ(sessions[1].last_index, 4u);
+  EXPECT_EQ(sessions[1].state, SessionSummary::MAPPING);
+  const auto maps = MapSummaries(*snapshot);
+  ASSERT_EQ(maps.size(), 2u);
+  EXPECT_EQ(maps[0].num_landmarks, 2u);
+  EXPECT_EQ(maps[0].num_observations, 5u);
+  EXPECT_FALSE(maps[0].metric);
+  EXPECT_EQ(maps[0].metres_per_unit, 0.0);
+}
+
+TEST(MapMessages, EmptySnapshotGivesEmptyMessages) {
+  const MapSnapshot snapshot;
+  EXPECT_TRUE(MapSummaries(snapshot).empty());
+  EXPECT_EQ(CameraMarkers(snapshot, ros::Time(3)).markers.size(), 1u);
+}
+
+}  // namespace
+}  // namespace rovio_sfm

@@ -1,0 +1,132 @@
+#!/usr/bin/python3
+"""Frontend and mapping over a real master: what goes in comes out, and odd input does no harm."""
+
+import os
+import sys
+import unittest
+
+import cv2
+import numpy
+import rospy
+import rostest
+from diagnostic_msgs.msg import DiagnosticArray
+from nav_msgs.msg import Odometry
+from rovio_sfm.msg import FrameEventMsg, MapStatus, Status
+from rovio_sfm.srv import ExportMap, FinishSession, GetFrames, ListSessions, Reset, StartSession
+from sensor_msgs.msg import CameraInfo, CompressedImage
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from driver_fixture import Collector, wait_until
+
+WAIT_S = 60.0  # sanitizers and busy machines take their time
+
+
+class Robot:
+    """Publishes what a driver would: pictures, calibration and odometry."""
+
+    def __init__(self, name):
+        self.image = rospy.Publisher("/%s/image_raw/compressed" % name, CompressedImage, queue_size=5)
+        self.info = rospy.Publisher("/%s/camera_info" % name, CameraInfo, queue_size=5)
+        self.odom = rospy.Publisher("/%s/odom" % name, Odometry, queue_size=5)
+        random = numpy.random.RandomState(1)
+        small = random.randint(0, 255, (90, 120, 3), dtype=numpy.uint8)
+        self.scene = cv2.resize(small, (960, 720), interpolation=cv2.INTER_CUBIC)
+
+    def wait_until_heard(self):
+        publishers = (self.image, self.info, self.odom)
+        return wait_until(lambda: all(p.get_num_connections() > 0 for p in publishers), WAIT_S)
+
+    def send(self, shift_px):
+        stamp = rospy.Time.now()
+        info = CameraInfo(width=640, height=480, distortion_model="plumb_bob", D=[0.0] * 5)
+        info.K = [500.0, 0, 320.0, 0, 500.0, 240.0, 0, 0, 1.0]
+        info.header.stamp = stamp
+        info.header.frame_id = "rovio1/camera_optical"
+        odom = Odometry()
+        odom.header.stamp = stamp
+        odom.pose.pose.orientation.w = 1.0
+        image = CompressedImage(header=info.header, format="jpeg")
+        picture = self.scene[100:580, shift_px:shift_px + 640]
+        image.data = cv2.imencode(".jpg", picture)[1].tobytes()
+        self.info.publish(info)
+        self.odom.publish(odom)
+        self.image.publish(image)
+
+
+class MappingNodeTest(unittest.TestCase):
+    """Nodes start once for all tests: the tests do not depend on their order."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.frames = Collector("/rovio1/frames", FrameEventMsg)
+        cls.robot = Robot("rovio1")
+        assert cls.robot.wait_until_heard()
+
+    def call(self, name, kind, *arguments):
+        rospy.wait_for_service(name, WAIT_S)
+        return rospy.ServiceProxy(name, kind)(*arguments)
+
+    def next_frame(self, shift_px):
+        count = self.frames.count()
+        for _ in range(int(WAIT_S / 2)):
+            self.robot.send(shift_px)
+            if self.frames.grows_by(1, 2.0):
+                return self.frames.messages[count]
+        return self.fail("no frame event came")
+
+    def test_image_becomes_a_frame_with_odometry(self):
+        frame = self.next_frame(0)
+        self.assertEqual(frame.id.drive.robot, "rovio1")
+        self.assertEqual(frame.header.frame_id, "rovio1/camera_optical")
+        self.assertGreater(len(frame.x_px), 100)
+        self.assertEqual(len(frame.descriptors), 128 * len(frame.x_px))
+        self.assertTrue(frame.has_odometry)
+
+    def test_both_nodes_serve_frames_by_id(self):
+        frame = self.next_frame(10)
+        reply = self.call("/rovio1/get_frames", GetFrames, frame.id, 10)
+        self.assertEqual(reply.status.code, Status.OK)
+        self.assertEqual(reply.frames[0].id.index, frame.id.index)
+        reply = self.call("/rovio1/get_frames", GetFrames, frame.id, 0)
+        self.assertEqual(reply.status.code, Status.INVALID_ARGUMENT)
+        frame.id.index = 0
+        reply = self.call("/get_frames", GetFrames, frame.id, 1)
+        self.assertEqual(reply.status.code, Status.OK)
+
+    def test_broken_image_does_no_harm(self):
+        self.robot.image.publish(CompressedImage(format="jpeg", data=b"\xff\xd8\xff\xd9 no picture"))
+        self.next_frame(20)
+
+    def test_malformed_event_is_refused_and_the_node_lives(self):
+        status = Collector("/diagnostics", DiagnosticArray)
+        publisher = rospy.Publisher("/rovio2/frames", FrameEventMsg, queue_size=5)
+        self.assertTrue(wait_until(lambda: publisher.get_num_connections() > 0, WAIT_S))
+        publisher.publish(FrameEventMsg())
+
+        def refusal_is_told():
+            return any(value.key == "events refused" and int(value.value) > 0
+                       for array in list(status.messages)
+                       for entry in array.status for value in entry.values)
+        self.assertTrue(wait_until(refusal_is_told, WAIT_S))
+        self.assertEqual(self.call("/list_sessions", ListSessions).status.code, Status.OK)
+
+    def test_services_answer_in_any_state(self):
+        self.assertEqual(self.call("/finish_session", FinishSession, "rovio2").status.code,
+                         Status.NOT_FOUND)
+        self.assertEqual(self.call("/start_session", StartSession, "No robot").status.code,
+                         Status.INVALID_ARGUMENT)
+        self.assertEqual(self.call("/export_map", ExportMap, 0, "", False).status.code,
+                         Status.FAILED_PRECONDITION)
+        self.assertEqual(self.call("/reset", Reset, False).status.code, Status.INVALID_ARGUMENT)
+
+    def test_reset_forgets_and_the_drive_goes_on(self):
+        self.next_frame(30)
+        self.assertEqual(self.call("/reset", Reset, True).status.code, Status.OK)
+        self.next_frame(40)
+        maps = Collector("/map_status", MapStatus)
+        self.assertTrue(wait_until(lambda: any(m.num_events > 0 for m in list(maps.messages)), WAIT_S))
+
+
+if __name__ == "__main__":
+    rospy.init_node("mapping_node_test")
+    rostest.rosrun("rovio_sfm", "mapping_node_test", MappingNodeTest, sys.argv)
