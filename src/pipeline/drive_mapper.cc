@@ -69,8 +69,11 @@ void DriveMapper::Hold(const FrameEvent& event, MapperReport* report) {
   if (held_.size() > static_cast<size_t>(context_.options.bootstrap.max_held_frames)) {
     held_.pop_front();
   }
-  const auto pair =
-      FindBootstrapPair(held_, current(), context_.options.bootstrap, context_.options.seed);
+  BootstrapOptions bootstrap = context_.options.bootstrap;
+  if (held_.size() >= static_cast<size_t>(bootstrap.hurry_after)) {
+    bootstrap.min_angle_deg = bootstrap.hurried_angle_deg;
+  }
+  const auto pair = FindBootstrapPair(held_, current(), bootstrap, context_.options.seed);
   if (!pair) return;
   const double wished = Radians(context_.options.bootstrap.wished_angle_deg);
   const bool waits =
@@ -233,8 +236,9 @@ void DriveMapper::CloseSession(SessionState state) {
 
 void DriveMapper::Finish() {
   if (current().state() == SessionState::kBootstrapping && !held_.empty()) {
-    const auto pair =
-        FindBestBootstrapPair(held_, current(), context_.options.bootstrap, context_.options.seed);
+    BootstrapOptions bootstrap = context_.options.bootstrap;
+    bootstrap.min_angle_deg = bootstrap.hurried_angle_deg;
+    const auto pair = FindBestBootstrapPair(held_, current(), bootstrap, context_.options.seed);
     if (pair) Start(*pair);
   }
   if (current().state() == SessionState::kMapping) RetryWeakFrames();

@@ -11,6 +11,8 @@ bool BootstrapOptions::IsValid(std::string* error) const {
   checker.Range("min_angle_deg", min_angle_deg, 0.5, 45.0);
   checker.Range("wished_angle_deg", wished_angle_deg, min_angle_deg, 60.0);
   checker.Range("patience", patience, 1, 1000);
+  checker.Range("hurry_after", hurry_after, 2, 1000);
+  checker.Range("hurried_angle_deg", hurried_angle_deg, 0.5, min_angle_deg);
   return checker.Passed();
 }
 

@@ -9,6 +9,8 @@ void ReadBootstrap(OptionReader reader, BootstrapOptions* options) {
   reader.Read("min_angle_deg", &options->min_angle_deg);
   reader.Read("wished_angle_deg", &options->wished_angle_deg);
   reader.Read("patience", &options->patience);
+  reader.Read("hurry_after", &options->hurry_after);
+  reader.Read("hurried_angle_deg", &options->hurried_angle_deg);
   reader.RefuseUnknown();
 }
 

@@ -14,7 +14,7 @@ struct ExtractOptions {
   double candidate_factor = 1.25;
   // Least contrast of a SIFT candidate (OpenCV's scale); low, because the spread chooses. 1e-4 to
   // 0.2
-  double sift_contrast = 0.01;
+  double sift_contrast = 0.004;
   double sift_edge = 10.0;        // greatest edge ratio of a SIFT candidate; 2 to 100
   bool upsample = true;           // SIFT: also features of the doubled image (first octave -1)
   int orb_threshold = 7;          // least FAST contrast, grey levels; 1 to 100

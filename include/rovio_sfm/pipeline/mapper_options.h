@@ -14,6 +14,8 @@ struct BootstrapOptions {
   double min_angle_deg = 4.0;      // median parallax of the inliers, 0.5 to 45
   double wished_angle_deg = 16.0;  // taken at once from here, min_angle_deg to 60
   int patience = 5;                // keyframes to wait for a wider pair after the first good one
+  int hurry_after = 10;            // held keyframes from which hurried_angle_deg will do, 2 to 1000
+  double hurried_angle_deg = 2.0;  // driving forward shows no more, 0.5 to min_angle_deg
   bool IsValid(std::string* error) const;
 };
 
@@ -26,7 +28,7 @@ struct ResectOptions {
 
 struct TriangulateOptions {
   double min_parallax_deg = 1.5;  // 0.1 to 30
-  double max_error_px = 3.0;      // reprojection error of an observation, 0.5 to 50
+  double max_error_px = 4.0;      // reprojection error of an observation, 0.5 to 50
   bool IsValid(std::string* error) const;
 };
 

@@ -16,7 +16,7 @@ namespace rovio_sfm {
 // The filters that the matches of one pair pass, in order (§3.4–3.5).
 struct PairOptions {
   MatchOptions match;
-  float max_ratio = 0.8f;        // Lowe's, τ_u; 0.1 to 1
+  float max_ratio = 0.9f;        // Lowe's, τ_u; 0.1 to 1
   float max_mean_factor = 2.0f;  // τ_κ of the percentile filter; 0.1 to 10
   VerifyPairOptions verify;
   bool use_guided = true;  // the second pass along the epipolar band, for general pairs

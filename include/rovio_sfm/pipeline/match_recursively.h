@@ -12,7 +12,7 @@ namespace rovio_sfm {
 // How far back a keyframe is matched (§3.4.1).
 struct RecursionOptions {
   int min_matches = 30;  // τ_m: with fewer verified matches a pair ends the recursion; 5 to 10000
-  int max_frames = 6;    // τ_l: keyframes tried; 1 to 100
+  int max_frames = 8;    // τ_l: keyframes tried; 1 to 100
   int max_misses = 1;    // pairs below τ_m that are passed over first; 0 to 10
 
   bool IsValid(std::string* error) const;
