@@ -95,13 +95,15 @@ std::optional<FrameEvent> Frontend::AddKeyframe(const PreparedImage& image) {
   if (event.features->keypoints.size() < static_cast<size_t>(options_.min_features)) {
     return Drop(&counters_.featureless, "image has too few features");
   }
-  const RecentKeyframe keyframe{event.id.index, event.features};
+  const RecentKeyframe keyframe{event.id.index, event.features,
+                                OdomFromCamera(event.odometry, event.base_from_camera)};
   {
     const StageTimes::Scope scope = MeasureStage(times_, "match");
     event.pairs = MatchRecursively(drive_->recent, keyframe, event.camera, options_.pair,
                                    options_.recursion, seed_);
   }
   LinkTracks(&event);
+  Remember(keyframe);
   FollowFrom(image, event);
   ++drive_->next_index;
   ++counters_.keyframes;
@@ -133,11 +135,14 @@ void Frontend::LinkTracks(FrameEvent* event) {
   counters_.links += event->links.size();
 }
 
-void Frontend::FollowFrom(const PreparedImage& image, const FrameEvent& event) {
-  drive_->recent.push_back({event.id.index, event.features});
+void Frontend::Remember(const RecentKeyframe& keyframe) {
+  drive_->recent.push_back(keyframe);
   if (drive_->recent.size() > static_cast<size_t>(options_.recursion.max_frames)) {
     drive_->recent.pop_front();
   }
+}
+
+void Frontend::FollowFrom(const PreparedImage& image, const FrameEvent& event) {
   drive_->chooser.StartFrom(image.small);
   if (options_.choose.mode == KeyframeMode::kEvery || !options_.light.enabled) return;
   drive_->light.StartFrom(image.full, event.features, event.tracks, MatchedFeatures(event));

@@ -10,6 +10,12 @@ Rng PairRng(uint64_t seed, uint32_t index, uint32_t other_index) {
   return Rng(seed).Fork((uint64_t{index} << 32) | other_index);
 }
 
+bool FitsOdometry(const PairMatches& pair, const RecentKeyframe& other,
+                  const RecentKeyframe& keyframe, const OdometryGateOptions& options) {
+  if (!other.odom_from_camera || !keyframe.odom_from_camera) return true;
+  return PassesOdometryGate(pair, *other.odom_from_camera, *keyframe.odom_from_camera, options);
+}
+
 }  // namespace
 
 bool RecursionOptions::IsValid(std::string* error) const {
@@ -17,6 +23,7 @@ bool RecursionOptions::IsValid(std::string* error) const {
   checker.Range("min_matches", min_matches, 5, 10000);
   checker.Range("max_frames", max_frames, 1, 100);
   checker.Range("max_misses", max_misses, 0, 10);
+  checker.Nested(odometry_gate);
   return checker.Passed();
 }
 
@@ -32,7 +39,10 @@ std::vector<PairMatches> MatchRecursively(const std::deque<RecentKeyframe>& rece
     Rng rng = PairRng(seed, keyframe.index, other->index);
     pairs.push_back(
         MatchPair(other->index, *other->features, *keyframe.features, camera, pair_options, rng));
-    if (pairs.back().inliers.size() >= static_cast<size_t>(options.min_matches)) continue;
+    if (pairs.back().inliers.size() >= static_cast<size_t>(options.min_matches) &&
+        FitsOdometry(pairs.back(), *other, keyframe, options.odometry_gate)) {
+      continue;
+    }
     pairs.back().verdict = PairVerdict::kFailed;
     pairs.back().inliers.clear();
     ++num_misses;

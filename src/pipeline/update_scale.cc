@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "rovio_sfm/pipeline/odometry_gate.h"
 #include "rovio_sfm/sfm/estimate_scale.h"
 
 namespace rovio_sfm {
@@ -11,13 +12,9 @@ namespace {
 std::vector<ScaleSample> SamplesOf(const Session& session) {
   std::vector<ScaleSample> samples;
   for (const auto& [index, frame] : session.keyframes()) {
-    if (frame.weak || !frame.odometry || !frame.base_from_camera) continue;
-    const OdometrySample& odometry = *frame.odometry;
-    const Rigid3 odom_from_base{
-        Eigen::Quaterniond(Eigen::AngleAxisd(odometry.yaw_rad, Eigen::Vector3d::UnitZ())),
-        {odometry.x_m, odometry.y_m, 0.0}};
-    samples.push_back(
-        {frame.cam_from_session, odom_from_base * *frame.base_from_camera, odometry.yaw_rad});
+    const auto odom_from_camera = OdomFromCamera(frame.odometry, frame.base_from_camera);
+    if (frame.weak || !odom_from_camera) continue;
+    samples.push_back({frame.cam_from_session, *odom_from_camera, frame.odometry->yaw_rad});
   }
   return samples;
 }

@@ -94,10 +94,19 @@ void ReadPair(OptionReader reader, PairOptions* options) {
   reader.RefuseUnknown();
 }
 
+void ReadOdometryGate(OptionReader reader, OdometryGateOptions* options) {
+  reader.Read("enabled", &options->enabled);
+  reader.Read("max_rotation_gap_deg", &options->max_rotation_gap_deg);
+  reader.Read("max_direction_gap_deg", &options->max_direction_gap_deg);
+  reader.Read("min_distance_m", &options->min_distance_m);
+  reader.RefuseUnknown();
+}
+
 void ReadRecursion(OptionReader reader, RecursionOptions* options) {
   reader.Read("min_matches", &options->min_matches);
   reader.Read("max_frames", &options->max_frames);
   reader.Read("max_misses", &options->max_misses);
+  ReadOdometryGate(reader.Group("odometry_gate"), &options->odometry_gate);
   reader.RefuseUnknown();
 }
 

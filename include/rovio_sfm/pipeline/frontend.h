@@ -69,6 +69,7 @@ class Frontend {
   std::optional<FrameEvent> AddKeyframe(const PreparedImage& image);
   std::optional<FrameEvent> AddLightFrame(const PreparedImage& image);
   void LinkTracks(FrameEvent* event);
+  void Remember(const RecentKeyframe& keyframe);
   void FollowFrom(const PreparedImage& image, const FrameEvent& event);
 
   FrontendOptions options_;

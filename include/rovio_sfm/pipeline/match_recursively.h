@@ -2,10 +2,12 @@
 
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "rovio_sfm/pipeline/match_pair.h"
+#include "rovio_sfm/pipeline/odometry_gate.h"
 
 namespace rovio_sfm {
 
@@ -14,6 +16,7 @@ struct RecursionOptions {
   int min_matches = 30;  // τ_m: with fewer verified matches a pair ends the recursion; 5 to 10000
   int max_frames = 8;    // τ_l: keyframes tried; 1 to 100
   int max_misses = 1;    // pairs below τ_m that are passed over first; 0 to 10
+  OdometryGateOptions odometry_gate;
 
   bool IsValid(std::string* error) const;
 };
@@ -22,6 +25,7 @@ struct RecursionOptions {
 struct RecentKeyframe {
   uint32_t index = 0;  // FrameId::index
   std::shared_ptr<const FrameFeatures> features;
+  std::optional<Rigid3> odom_from_camera;  // metres; none without odometry
 };
 
 // Matches a new keyframe with recent ones (oldest first), nearest first, until fewer than τ_m
