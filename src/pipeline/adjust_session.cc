@@ -90,8 +90,10 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
   return total;
 }
 
-GlobalAdjustment::GlobalAdjustment(const AdjustOptions& options, Executor* executor)
-    : options_(options), executor_(executor) {}
+GlobalAdjustment::GlobalAdjustment(const MapperOptions& options, Executor* executor)
+    : options_(options.adjust),
+      loss_sigmas_(options.adjust.loss_px / options.pixel_sigma_px),
+      executor_(executor) {}
 
 void GlobalAdjustment::MaybeStart(const Session& session) {
   const size_t num_frames = session.keyframes().size();
@@ -103,7 +105,7 @@ void GlobalAdjustment::MaybeStart(const Session& session) {
   if (running_ || num_frames < kMinGlobalFrames || !grown) return;
   num_frames_at_last_ = num_frames;
   num_landmarks_at_last_ = num_landmarks;
-  const BundleOptions bundle_options{options_.local_max_iterations, options_.loss_px};
+  const BundleOptions bundle_options{options_.local_max_iterations, loss_sigmas_};
   running_.emplace();
   running_->result =
       executor_->Submit([bundle = MakeGlobalBundle(session), bundle_options]() mutable {

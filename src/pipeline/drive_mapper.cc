@@ -24,7 +24,7 @@ DriveMapper::DriveMapper(const MapperContext& context, DriveId drive, Camera cam
     : context_(context),
       drive_(std::move(drive)),
       camera_(camera),
-      global_(context.options.adjust, context.executor) {
+      global_(context.options, context.executor) {
   OpenSession();
 }
 
@@ -217,7 +217,7 @@ void DriveMapper::PoseWaitingLightFrames() {
 
 void DriveMapper::OpenSession() {
   sessions_.push_back(std::make_unique<Session>(context_.new_session_id(), drive_, camera_));
-  global_ = GlobalAdjustment(context_.options.adjust, context_.executor);
+  global_ = GlobalAdjustment(context_.options, context_.executor);
 }
 
 void DriveMapper::CloseSession(SessionState state) {

@@ -105,6 +105,37 @@ TEST(GlobalAdjustment, GivesTheSameBytesWithAndWithoutThreads) {
   EXPECT_NE(BytesOf(untouched), alone);
 }
 
+// The same drive, with outliers, where a feature's position is taken as four times less certain.
+Session AdjustedWithSigma(double pixel_sigma_px) {
+  const SyntheticDrive drive = MakeDrive(0.5);
+  Session session({1}, drive.events[0].id.drive, drive.world.camera);
+  MapperOptions options;
+  options.pixel_sigma_px = pixel_sigma_px;
+  for (uint32_t i = 0; i < drive.events.size(); ++i) {
+    Keyframe frame = MakeKeyframe(drive.events[i], drive.world.cams_from_map[i], options);
+    for (size_t k = 0; k < frame.points.size(); k += 10) frame.points[k].x() += 0.01;
+    session.AddKeyframe(i, frame);
+  }
+  for (const auto& [id, track] : session.tracks()) {
+    if (track.members.size() < 2) continue;
+    session.AddLandmark(id, drive.world.points[id - 1], {}, track.members);
+  }
+  Executor executor(0);
+  GlobalAdjustment global(options, &executor);
+  global.MaybeStart(session);
+  global.Advance(&session);
+  EXPECT_TRUE(global.Advance(&session));
+  return session;
+}
+
+TEST(GlobalAdjustment, MeasuresItsLossInPixels) {
+  const Session one = AdjustedWithSigma(1.0), four = AdjustedWithSigma(4.0);
+  for (const auto& [index, frame] : one.keyframes()) {
+    const Rigid3& other = four.keyframe(index).cam_from_session;
+    EXPECT_LT(PoseDistance(frame.cam_from_session, other), 1e-6) << index;
+  }
+}
+
 TEST(GlobalAdjustment, WaitsForGrowth) {
   const SyntheticDrive drive = MakeDrive();
   Executor executor(0);

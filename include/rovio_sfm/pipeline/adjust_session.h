@@ -25,7 +25,7 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session);
 class GlobalAdjustment {
  public:
   // The executor must outlive this.
-  GlobalAdjustment(const AdjustOptions& options, Executor* executor);
+  GlobalAdjustment(const MapperOptions& options, Executor* executor);
 
   // Starts one if none is running and the session grew enough since the last.
   void MaybeStart(const Session& session);
@@ -41,6 +41,7 @@ class GlobalAdjustment {
   };
 
   AdjustOptions options_;
+  double loss_sigmas_;
   Executor* executor_;
   std::optional<Running> running_;
   size_t num_frames_at_last_ = 0;
