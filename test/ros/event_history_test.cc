@@ -1,7 +1,8 @@
 #include "rovio_sfm/ros/event_history.h"
 
-#include <boost/make_shared.hpp>
 #include <gtest/gtest.h>
+
+#include <boost/make_shared.hpp>
 
 namespace rovio_sfm {
 namespace {
