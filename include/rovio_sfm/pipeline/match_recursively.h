@@ -25,7 +25,7 @@ struct RecursionOptions {
 struct RecentKeyframe {
   uint32_t index = 0;  // FrameId::index
   std::shared_ptr<const FrameFeatures> features;
-  std::optional<Rigid3> odom_from_camera;  // metres; none without odometry
+  std::optional<Rigid3> odom_from_camera = std::nullopt;  // metres; none without odometry
 };
 
 // Matches a new keyframe with recent ones (oldest first), nearest first, until fewer than τ_m
