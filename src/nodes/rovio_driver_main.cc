@@ -1,30 +1,19 @@
 #include <ros/ros.h>
 
-#include <csignal>
 #include <exception>
 
 #include "rovio_sfm/ros/driver_credentials.h"
 #include "rovio_sfm/ros/rovio_driver_node.h"
-
-namespace {
-
-// ROS handles SIGINT only; both shall stop the robot.
-void ShutDown(int) { ros::requestShutdown(); }
-
-}  // namespace
+#include "rovio_sfm/ros/run_node.h"
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "rovio_driver");
-  std::signal(SIGTERM, ShutDown);
+  rovio_sfm::InitNode(argc, argv, "rovio_driver");
   try {
     ros::NodeHandle handle, private_handle("~");
-    const rovio_sfm::DriverOptions options = rovio_sfm::LoadDriverOptions(handle, private_handle);
+    const auto options = rovio_sfm::LoadDriverOptions(handle, private_handle);
     rovio_sfm::RovioDriverNode node(handle, private_handle, options,
                                     rovio_sfm::LoadCredentials(options.credentials_file));
-    ros::AsyncSpinner spinner(1);
-    spinner.start();
-    ros::waitForShutdown();
-    spinner.stop();
+    rovio_sfm::SpinUntilStopped();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());
     return 1;

@@ -62,10 +62,8 @@ bool DriveTourOptions::IsValid(std::string* error) const {
   return steer.IsValid(error);
 }
 
-DriveTourOptions LoadDriveTourOptions(const ros::NodeHandle& private_handle) {
-  XmlRpc::XmlRpcValue parameters;
-  const bool has_any = private_handle.getParam(private_handle.getNamespace(), parameters);
-  OptionReader reader(has_any ? ToYaml(parameters) : YAML::Node(), "drive_tour");
+DriveTourOptions LoadDriveTourOptions(const YAML::Node& parameters) {
+  OptionReader reader(parameters, "drive_tour");
   DriveTourOptions options;
   reader.Read("tour", &options.tour);
   options.look = ReadLook(&reader);

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "rovio_sfm/ros/option_reader.h"
+#include "rovio_sfm/ros/run_node.h"
 #include "rovio_sfm/ros/topics.h"
 
 namespace rovio_sfm {
@@ -150,9 +150,7 @@ void RovioDriverNode::DiagnoseMotion(Diagnostics& out) {
 
 DriverOptions LoadDriverOptions(const ros::NodeHandle& handle,
                                 const ros::NodeHandle& private_handle) {
-  XmlRpc::XmlRpcValue parameters;
-  const bool has_any = private_handle.getParam(private_handle.getNamespace(), parameters);
-  return LoadDriverOptions(has_any ? ToYaml(parameters) : YAML::Node(), RobotName(handle));
+  return LoadDriverOptions(ParametersOf(private_handle), RobotName(handle));
 }
 
 }  // namespace rovio_sfm

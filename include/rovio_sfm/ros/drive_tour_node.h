@@ -6,6 +6,7 @@
 #include <rovio_sfm/FrameEventMsg.h>
 #include <rovio_sfm/RovioStatus.h>
 #include <sensor_msgs/CameraInfo.h>
+#include <yaml-cpp/yaml.h>
 
 #include <optional>
 #include <string>
@@ -30,8 +31,9 @@ struct DriveTourOptions {
   bool IsValid(std::string* error) const;
 };
 
-// Reads the node's parameters; throws std::runtime_error that names the parameter.
-DriveTourOptions LoadDriveTourOptions(const ros::NodeHandle& private_handle);
+// Reads the node's parameters, those of config/drive_tour.yaml; throws std::runtime_error that
+// names the parameter.
+DriveTourOptions LoadDriveTourOptions(const YAML::Node& parameters);
 
 // Drives a tour through cmd_vel with odometry as its feedback: to each stop, stand, look. All in
 // callbacks of one thread; ends ROS when it is done.
