@@ -28,11 +28,11 @@ std::string BoundsOf(const AuditFigure& figure) {
 
 AuditFigures Audit(const AuditOptions& options) {
   const TourSpec spec = LoadTour(options.config_folder + "/tours/" + options.tour + ".yaml");
-  if (spec.world != options.world) {
+  if (!options.world.empty() && spec.world != options.world) {
     throw std::runtime_error("tour " + options.tour + " is of world " + spec.world + ", not of " +
                              options.world);
   }
-  const World world(LoadWorld(options.config_folder + "/worlds/" + options.world + ".yaml"));
+  const World world(LoadWorld(options.config_folder + "/worlds/" + spec.world + ".yaml"));
   const ImageRenderer renderer(world, RovioCamera(), options.render);
   AuditFigures figures = AuditWorld(world);
   const AuditFigures tour =

@@ -144,8 +144,8 @@ void DrawBricks(const TextureSpec& spec, Rng& rng, cv::Mat* image) {
       const cv::Rect brick = cv::Rect(x, y, width, height) & cv::Rect({}, image->size());
       if (brick.empty()) continue;
       cv::Mat area = (*image)(brick);
-      area *= rng.Uniform(0.75, 1.2);
-      cv::rectangle(*image, brick, Shade(spec.accent, 1.2), std::max(1, width / 25), cv::LINE_AA);
+      area *= rng.Uniform(0.9, 1.1);
+      cv::rectangle(*image, brick, Shade(spec.accent, 1.08), std::max(1, width / 25), cv::LINE_AA);
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <future>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "rovio_sfm/sim/find_overlaps.h"
@@ -28,22 +29,40 @@ SimulatedTour Simulate(const RenderTourOptions& options, const TourSpec& spec) {
   return tour;
 }
 
-std::vector<uint8_t> RenderFrame(const ImageRenderer& renderer, const TourFrame& frame,
-                                 const DevelopOptions& develop, uint64_t seed) {
+// A data set to write: the pictures of one rendering, developed in one way.
+struct Output {
+  TourFolder folder;
+  DevelopOptions develop;
+};
+
+std::vector<Output> OpenOutputs(const RenderTourOptions& options) {
+  std::vector<Output> outputs{{TourFolder(options.out_folder, options.overwrite), options.develop}};
+  if (options.clean_out_folder.empty()) return outputs;
+  DevelopOptions clean = options.develop;
+  clean.noise_sigma = 0.0;
+  outputs.push_back({TourFolder(options.clean_out_folder, options.overwrite), clean});
+  return outputs;
+}
+
+void RenderFrame(const ImageRenderer& renderer, const TourFrame& frame,
+                 const std::vector<Output>& outputs, size_t index, uint64_t seed) {
   const cv::Mat light = renderer.Render(frame.motion, seed);
-  return EncodeJpeg(DevelopImage(light, frame.exposure, develop, seed), develop);
+  for (const Output& output : outputs) {
+    const cv::Mat picture = DevelopImage(light, frame.exposure, output.develop, seed);
+    output.folder.WriteImage(index, EncodeJpeg(picture, output.develop));
+  }
 }
 
 void RenderImages(const RenderTourOptions& options, const ImageRenderer& renderer,
-                  const SimulatedTour& tour, const TourFolder& folder) {
+                  const SimulatedTour& tour, const std::vector<Output>& outputs) {
   Executor executor(options.num_threads > 1 ? options.num_threads : 0);
   std::vector<std::future<void>> done;
   Rng rng(options.seed ^ 0x70697865ULL);
   for (size_t i = 0; i < tour.frames.size(); ++i) {
     const uint64_t seed = rng.Next();
     const TourFrame& frame = tour.frames[i];
-    done.push_back(executor.Submit([&renderer, &frame, &options, &folder, seed, i] {
-      folder.WriteImage(i, RenderFrame(renderer, frame, options.develop, seed));
+    done.push_back(executor.Submit([&renderer, &frame, &outputs, seed, i] {
+      RenderFrame(renderer, frame, outputs, i, seed);
     }));
   }
   for (std::future<void>& frame : done) frame.get();
@@ -59,16 +78,21 @@ std::vector<DepthView> RenderDepths(const World& world, const Camera& camera,
   return views;
 }
 
-void WriteAllOverlaps(const RenderTourOptions& options, const World& world, const Camera& camera,
-                      const TourSpec& spec, const SimulatedTour& tour, const TourFolder& folder) {
+// Each pair list under the name of its file.
+using NamedOverlaps = std::vector<std::pair<std::string, std::vector<ViewOverlap>>>;
+
+NamedOverlaps FindAllOverlaps(const RenderTourOptions& options, const World& world,
+                              const Camera& camera, const TourSpec& spec,
+                              const SimulatedTour& tour) {
   const std::vector<DepthView> views = RenderDepths(world, camera, tour);
-  folder.WriteOverlaps("overlaps.txt", FindOverlaps(camera, views, kDepthStep_px));
+  NamedOverlaps overlaps{{"overlaps.txt", FindOverlaps(camera, views, kDepthStep_px)}};
   for (const std::string& name : spec.shares_with) {
     const SimulatedTour other = Simulate(options, LoadTourOf(options, name));
     const std::vector<DepthView> others = RenderDepths(world, camera, other);
-    folder.WriteOverlaps("overlaps_" + name + ".txt",
-                         FindOverlaps(camera, views, others, kDepthStep_px));
+    overlaps.emplace_back("overlaps_" + name + ".txt",
+                          FindOverlaps(camera, views, others, kDepthStep_px));
   }
+  return overlaps;
 }
 
 }  // namespace
@@ -90,14 +114,17 @@ int RenderTour(const RenderTourOptions& options) {
   if (!options.IsValid(&error)) throw std::runtime_error(error);
   const TourSpec spec = LoadTourOf(options, options.tour);
   const SimulatedTour tour = Simulate(options, spec);
-  const TourFolder folder(options.out_folder, options.overwrite);
+  const std::vector<Output> outputs = OpenOutputs(options);
   const World world(LoadWorld(options.config_folder + "/worlds/" + spec.world + ".yaml"));
   const Camera camera = RovioCamera();
   const ImageRenderer renderer(world, camera, options.render);
-  RenderImages(options, renderer, tour, folder);
-  folder.WriteCalibration(camera);
-  WriteAllOverlaps(options, world, camera, spec, tour, folder);
-  folder.WriteFrames(tour);
+  RenderImages(options, renderer, tour, outputs);
+  const NamedOverlaps overlaps = FindAllOverlaps(options, world, camera, spec, tour);
+  for (const Output& output : outputs) {
+    output.folder.WriteCalibration(camera);
+    for (const auto& [name, pairs] : overlaps) output.folder.WriteOverlaps(name, pairs);
+    output.folder.WriteFrames(tour);
+  }
   return static_cast<int>(tour.frames.size());
 }
 

@@ -19,7 +19,7 @@ struct Arguments {
   std::string images;
   bool repeats = false;
   bool serves = false;
-  std::vector<std::string> audit;  // world, tour
+  std::vector<std::string> audit;  // [world,] tour
   std::string config_folder;
   ServeOptions serve;
   ServeRobotOptions robot;   // tour, seed, noise and shutter of --serve
@@ -45,9 +45,11 @@ void AddServeArguments(CLI::App& app, Arguments* arguments) {
 void AddRenderArguments(CLI::App& app, Arguments* arguments) {
   RenderTourOptions& render = arguments->render;
   app.add_option("--render", render.tour, "Render this tour, as fast as it goes, into --out");
-  app.add_option("--audit", arguments->audit, "WORLD TOUR: print the figures that keep it honest")
-      ->expected(2);
+  app.add_option("--audit", arguments->audit, "[WORLD] TOUR: print the figures that keep it honest")
+      ->expected(1, 2);
   app.add_option("--out", render.out_folder, "Folder for the data set of --render");
+  app.add_option("--clean-out", render.clean_out_folder,
+                 "With --render: the same pictures without noise, into this folder");
   app.add_flag("--overwrite", render.overwrite, "Write over a data set in --out");
   app.add_option("--frames", render.max_frames, "Only the first so many pictures; 0: all");
   app.add_option("--threads", render.num_threads, "Threads of --render")->default_val(1);
@@ -64,8 +66,8 @@ void AddRenderArguments(CLI::App& app, Arguments* arguments) {
 int AuditByArguments(const Arguments& arguments) {
   AuditOptions audit;
   audit.config_folder = FindConfigFolder(arguments.config_folder);
-  audit.world = arguments.audit.at(0);
-  audit.tour = arguments.audit.at(1);
+  audit.tour = arguments.audit.back();
+  if (arguments.audit.size() == 2) audit.world = arguments.audit.front();
   audit.seed = arguments.render.seed;
   audit.render = arguments.render.render;
   audit.develop = arguments.render.develop;

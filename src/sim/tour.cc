@@ -44,6 +44,13 @@ PlanarPose Between(const WayPoint& from, const WayPoint& to, double share) {
   return {at.x(), at.y(), yaw};
 }
 
+// True if the arc (if there is one) ends where the way-point lies.
+bool EndsAtItsPoint(const WayPoint& from, const WayPoint& to) {
+  constexpr double kNear_m = 0.05;
+  const PlanarPose end = Between(from, to, 1.0);
+  return std::hypot(end.x_m - to.x_m, end.y_m - to.y_m) < kNear_m;
+}
+
 // Nobody puts a robot down exactly on its mark.
 PlanarPose Jitter(const PlanarPose& pose, double step_m, double spread, Rng& rng) {
   const double yaw_spread = std::min(0.5 * spread * kRadPerDeg * 5.0, 0.02);
@@ -67,6 +74,11 @@ bool TourSpec::IsValid(std::string* error) const {
     check.Range("x_m", point.x_m, -1000.0, 1000.0);
     check.Range("y_m", point.y_m, -1000.0, 1000.0);
     check.Range("yaw_rad", point.yaw_rad, -100.0, 100.0);
+  }
+  for (size_t i = 1; i < way_points.size(); ++i) {
+    check.True(("way_points[" + std::to_string(i) + "]").c_str(),
+               EndsAtItsPoint(way_points[i - 1], way_points[i]),
+               "a place on its arc (turned by the change of yaw)");
   }
   return check.Passed();
 }

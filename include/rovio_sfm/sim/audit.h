@@ -11,8 +11,8 @@ namespace rovio_sfm::sim {
 
 struct AuditOptions {
   std::string config_folder;  // holds worlds/ and tours/
-  std::string world;          // names of files there, without .yaml
-  std::string tour;
+  std::string world;          // name of a file there, without .yaml; empty: the tour's own
+  std::string tour;           // name of a file there, without .yaml
   uint64_t seed = 1;
   RenderOptions render;
   DevelopOptions develop;

@@ -13,6 +13,7 @@ struct RenderTourOptions {
   std::string config_folder;  // holds worlds/ and tours/
   std::string tour;           // name of a file in tours/, without .yaml
   std::string out_folder;     // made if missing; refused if it holds images and overwrite is false
+  std::string clean_out_folder;  // if not empty: the same tour without noise, at almost no cost
   bool overwrite = false;
   uint64_t seed = 1;
   int max_frames = 0;   // only the first so many; 0 means all

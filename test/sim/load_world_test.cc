@@ -1,0 +1,55 @@
+#include "rovio_sfm/sim/load_world.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "sim/small_world.h"
+
+namespace rovio_sfm::sim {
+namespace {
+
+std::string ErrorOf(const std::string& yaml) {
+  try {
+    ParseWorld(yaml, "file");
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ParseWorld, ReadsTheSmallWorld) {
+  const WorldSpec world = SmallWorldSpec();
+  EXPECT_EQ(world.name, "small");
+  EXPECT_EQ(world.textures.size(), 2u);
+  EXPECT_EQ(world.objects[1].world_from_object.size(), 2u);
+  EXPECT_DOUBLE_EQ(world.textures[1].texel_m, 0.005);
+}
+
+TEST(ParseWorld, NamesAnUnknownShape) {
+  std::string yaml = SmallWorldYaml();
+  yaml.replace(yaml.find("shape: box"), 10, "shape: egg");
+  EXPECT_NE(ErrorOf(yaml).find("expected box, lathe or panel"), std::string::npos);
+}
+
+TEST(ParseWorld, RefusesBrokenYamlWithASentence) {
+  EXPECT_NE(ErrorOf("name: [").find("file"), std::string::npos);
+  EXPECT_NE(ErrorOf("").find("file"), std::string::npos);
+  EXPECT_NE(ErrorOf("- 1\n- 2").find("expected a mapping"), std::string::npos);
+}
+
+TEST(LoadWorld, NamesAFileThatIsNotThere) {
+  EXPECT_THROW(LoadWorld("/nowhere/world.yaml"), std::runtime_error);
+}
+
+TEST(LoadWorld, EveryShippedWorldIsValid) {
+  for (const char* name : {"laboratory", "engine_room"}) {
+    const WorldSpec world =
+        LoadWorld(std::string(ROVIO_SOURCE_DIR "/config/worlds/") + name + ".yaml");
+    EXPECT_EQ(world.name, name);
+    EXPECT_NO_THROW(BuildSurfaces(world));
+  }
+}
+
+}  // namespace
+}  // namespace rovio_sfm::sim
