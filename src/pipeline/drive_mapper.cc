@@ -84,8 +84,8 @@ void DriveMapper::Hold(const FrameEvent& event, MapperReport* report) {
 bool DriveMapper::Start(const BootstrapPair& pair) {
   if (!StartSession(pair, held_, context_.options, &current())) return false;
   current().set_state(SessionState::kMapping);
+  counters_.keyframes += 2;
   const std::deque<FrameEvent> held = std::exchange(held_, {});
-  num_waited_ = 0;
   for (size_t i = pair.first + 1; i < held.size(); ++i) InsertHeld(held[i]);
   for (size_t i = pair.first; i-- > 0;) InsertHeld(held[i]);
   AdjustFinally(context_.options, &current());
@@ -125,11 +125,11 @@ std::optional<Registration> DriveMapper::Resect(const FrameEvent& event, MapperR
   if (!registration) return std::nullopt;
   report->num_matches = registration->num_matches;
   report->num_inliers = registration->num_inliers;
-  ++counters_.keyframes;
   return registration;
 }
 
 void DriveMapper::GrowMap(uint32_t frame, MapperReport* report) {
+  ++counters_.keyframes;
   const MapperOptions& options = context_.options;
   const TriangulateTracksOptions triangulate{
       Radians(options.triangulate.min_parallax_deg),
@@ -216,6 +216,7 @@ void DriveMapper::PoseWaitingLightFrames() {
 }
 
 void DriveMapper::OpenSession() {
+  num_waited_ = 0;
   sessions_.push_back(std::make_unique<Session>(context_.new_session_id(), drive_, camera_));
   global_ = GlobalAdjustment(context_.options, context_.executor);
 }

@@ -36,9 +36,14 @@ std::optional<Window> MakeWindow(const ScaleSample& from, const ScaleSample& to,
   return window;
 }
 
-std::vector<Window> MakeWindows(const std::vector<ScaleSample>& samples,
-                                const EstimateScaleOptions& options) {
-  std::vector<Window> windows;
+struct Windows {
+  std::vector<Window> all;  // one from every sample; neighbours overlap
+  size_t num_disjoint = 0;  // as many of them could be laid end to end
+};
+
+Windows MakeWindows(const std::vector<ScaleSample>& samples, const EstimateScaleOptions& options) {
+  Windows windows;
+  size_t end_of_disjoint = 0;
   for (size_t i = 0, j = 0; i < samples.size(); ++i) {
     for (j = std::max(j, i + 1); j < samples.size(); ++j) {
       const double moved_m =
@@ -47,9 +52,12 @@ std::vector<Window> MakeWindows(const std::vector<ScaleSample>& samples,
       if (moved_m >= options.min_distance_m) break;
     }
     if (j == samples.size()) break;
-    if (const auto window = MakeWindow(samples[i], samples[j], options)) {
-      windows.push_back(*window);
-    }
+    const auto window = MakeWindow(samples[i], samples[j], options);
+    if (!window) continue;
+    windows.all.push_back(*window);
+    if (i < end_of_disjoint) continue;
+    ++windows.num_disjoint;
+    end_of_disjoint = j;
   }
   return windows;
 }
@@ -72,7 +80,7 @@ double WeightedMedian(std::vector<Window> windows) {
 
 std::optional<MapScale> EstimateScale(const std::vector<ScaleSample>& samples,
                                       const EstimateScaleOptions& options) {
-  const std::vector<Window> windows = MakeWindows(samples, options);
+  const auto [windows, num_disjoint] = MakeWindows(samples, options);
   if (windows.size() < kMinWindows) return std::nullopt;
   const double log_scale = WeightedMedian(windows);
   std::vector<double> deviations;
@@ -86,7 +94,7 @@ std::optional<MapScale> EstimateScale(const std::vector<ScaleSample>& samples,
                    deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2),
                    deviations.end());
   const double scatter =
-      1.4826 * deviations[deviations.size() / 2] / std::sqrt(static_cast<double>(windows.size()));
+      1.4826 * deviations[deviations.size() / 2] / std::sqrt(static_cast<double>(num_disjoint));
   // The gains of all windows are one unknown each way, so they do not average out.
   const double gain_sigma = gain_sum / weight_sum;
   return MapScale{std::exp(log_scale), std::hypot(scatter, gain_sigma), "odometry"};

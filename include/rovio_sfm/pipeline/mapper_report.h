@@ -30,7 +30,7 @@ struct MapperReport {
 };
 
 struct MapperCounters {
-  uint64_t keyframes = 0;
+  uint64_t keyframes = 0;  // resected into a map, those that started it included
   uint64_t light_frames = 0;
   uint64_t weak_frames = 0;
   uint64_t missing_events = 0;  // gaps in a drive's index

@@ -26,8 +26,8 @@ struct EstimateScaleOptions {
 // Metres per map unit from wheel odometry (design 5.2.7): the weighted median of log ratios of
 // odometric to visual displacement over windows of at least min_distance_m whose rotations agree;
 // windows along the base's x axis weigh most, sideways ones least. sigma_log joins the scatter of
-// the mean (MAD / sqrt n) with the odometry's own gain uncertainty for the mix of directions.
-// Nothing for fewer than 3 windows.
+// the mean (MAD / sqrt n, n windows end to end) with the odometry's own gain uncertainty for the
+// mix of directions. Nothing for fewer than 3 windows.
 std::optional<MapScale> EstimateScale(const std::vector<ScaleSample>& samples,
                                       const EstimateScaleOptions& options);
 
