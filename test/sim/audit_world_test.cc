@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <stdexcept>
 
+#include "rovio_sfm/util/rng.h"
 #include "sim/small_world.h"
 
 namespace rovio_sfm::sim {
