@@ -180,6 +180,11 @@ std::optional<OdometrySample> FromMessage(const OdometrySampleMsg& message, std:
   return sample;
 }
 
+Rigid3 OdomFromBase(const OdometrySample& sample) {
+  const Eigen::AngleAxisd yaw(sample.yaw_rad, Eigen::Vector3d::UnitZ());
+  return {Eigen::Quaterniond(yaw), {sample.x_m, sample.y_m, 0.0}};
+}
+
 std::optional<OdometrySample> FromOdometry(const nav_msgs::Odometry& message, std::string* error) {
   const auto& pose = message.pose.pose;
   const Eigen::Quaterniond rotation = ToEigen(pose.orientation);
@@ -210,8 +215,7 @@ nav_msgs::Odometry ToOdometry(const OdometrySample& sample, int64_t stamp_ns,
   message.header.stamp = ToTime(stamp_ns);
   message.header.frame_id = odom_frame;
   message.child_frame_id = base_frame;
-  const Eigen::AngleAxisd yaw(sample.yaw_rad, Eigen::Vector3d::UnitZ());
-  message.pose.pose = ToPose({Eigen::Quaterniond(yaw), {sample.x_m, sample.y_m, 0.0}});
+  message.pose.pose = ToPose(OdomFromBase(sample));
   for (size_t row = 0; row < 3; ++row) {
     for (size_t column = 0; column < 3; ++column) {
       message.pose.covariance[6 * kPlanarAxes[row] + kPlanarAxes[column]] =

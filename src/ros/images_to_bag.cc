@@ -41,7 +41,11 @@ class BagWriter {
     message.format = message.data.front() == 0xFF ? "jpeg" : "png";
     bag_.write(Topic(topics::kCameraInfo), message.header.stamp,
                ToCameraInfo(camera, image.stamp_ns, message.header.frame_id));
-    if (image.base_from_camera) WriteHead(message.header, *image.base_from_camera);
+    if (image.base_from_camera) {
+      std_msgs::Header base = message.header;
+      base.frame_id = robot_ + "/base_link";
+      WriteTransform(base, message.header.frame_id, *image.base_from_camera, base.stamp);
+    }
     bag_.write(Topic(topics::kImageCompressed), message.header.stamp, message);
   }
 
@@ -56,14 +60,14 @@ class BagWriter {
  private:
   std::string Topic(const char* name) const { return "/" + robot_ + "/" + name; }
 
-  void WriteHead(const std_msgs::Header& header, const Rigid3& base_from_camera) {
+  void WriteTransform(const std_msgs::Header& parent, const std::string& child,
+                      const Rigid3& parent_from_child, const ros::Time& time) {
     tf2_msgs::TFMessage message;
     message.transforms.resize(1);
-    message.transforms[0].header.stamp = header.stamp;
-    message.transforms[0].header.frame_id = robot_ + "/base_link";
-    message.transforms[0].child_frame_id = header.frame_id;
-    message.transforms[0].transform = ToTransform(base_from_camera);
-    bag_.write("/tf", header.stamp, message);
+    message.transforms[0].header = parent;
+    message.transforms[0].child_frame_id = child;
+    message.transforms[0].transform = ToTransform(parent_from_child);
+    bag_.write("/tf", time, message);
   }
 
   std::string robot_;

@@ -7,11 +7,6 @@
 namespace rovio_sfm {
 namespace {
 
-Rigid3 OdomFromBase(const OdometrySample& sample) {
-  const Eigen::AngleAxisd yaw(sample.yaw_rad, Eigen::Vector3d::UnitZ());
-  return {Eigen::Quaterniond(yaw), {sample.x_m, sample.y_m, 0.0}};
-}
-
 geometry_msgs::TransformStamped Edge(const std::string& parent, const std::string& child,
                                      const Rigid3& parent_from_child, const ros::Time& stamp) {
   geometry_msgs::TransformStamped edge;

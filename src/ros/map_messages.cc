@@ -2,6 +2,7 @@
 
 #include <sensor_msgs/point_cloud2_iterator.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <set>
@@ -15,7 +16,8 @@ namespace {
 
 using sensor_msgs::PointField;
 
-constexpr double kFrustumShare = 0.5;  // depth of a frustum: share of the median step
+constexpr double kStepShare = 0.5;     // depth of a frustum: of the median step, at least ...
+constexpr double kExtentShare = 0.04;  // ... of the path's extent
 
 // The colours of sessions, again from the start when there are more.
 constexpr std::array<std::array<float, 3>, 6> kSessionColors = {{{0.12f, 0.47f, 0.71f},
@@ -53,6 +55,14 @@ double MedianStep(const std::vector<Rigid3>& poses) {
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
   return std::max(*middle, 1e-3);
+}
+
+// So that frusta neither vanish nor hide each other, whatever the unit.
+double FrustumDepth(const std::vector<Rigid3>& poses) {
+  Eigen::AlignedBox3d box;
+  for (const Rigid3& pose : poses) box.extend(pose.translation);
+  const double extent = poses.empty() ? 0.0 : box.diagonal().norm();
+  return std::max(kStepShare * MedianStep(poses), kExtentShare * extent);
 }
 
 geometry_msgs::Point ToPoint(const Eigen::Vector3d& x) {
@@ -96,7 +106,7 @@ visualization_msgs::Marker Frusta(const SessionSnapshot& session, const ros::Tim
   marker.color.a = 1.0f;
   marker.pose.orientation.w = 1.0;
   const std::vector<Rigid3> poses = LevelFromKeyframes(session);
-  const double depth = kFrustumShare * MedianStep(poses);
+  const double depth = FrustumDepth(poses);
   marker.scale.x = 0.04 * depth;
   for (const Rigid3& pose : poses) AddFrustum(pose, session.camera, depth, &marker);
   return marker;

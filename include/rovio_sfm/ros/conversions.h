@@ -43,6 +43,9 @@ sensor_msgs::CameraInfo ToCameraInfo(const Camera& camera, int64_t stamp_ns,
 OdometrySampleMsg ToMessage(const OdometrySample& sample);
 std::optional<OdometrySample> FromMessage(const OdometrySampleMsg& message, std::string* error);
 
+// odom_from_base of a planar sample, at height 0.
+Rigid3 OdomFromBase(const OdometrySample& sample);
+
 // The planar part of an odometry message: x, y and yaw with their covariance. Refuses numbers that
 // are not finite; a covariance that is unknown (negative variance) becomes zeros.
 std::optional<OdometrySample> FromOdometry(const nav_msgs::Odometry& message, std::string* error);
