@@ -22,31 +22,29 @@ std::array<float, 256> MakeLinearFromSrgb() {
   return table;
 }
 
-const std::array<float, 256>& LinearFromSrgb() {
-  static const std::array<float, 256> table = MakeLinearFromSrgb();
-  return table;
-}
+const std::array<float, 256> kLinearFromSrgb = MakeLinearFromSrgb();
 
-Eigen::Vector3f Texel(const cv::Mat& level, int x, int y) {
-  const std::array<float, 256>& linear = LinearFromSrgb();
-  const uint8_t* p = level.ptr<uint8_t>(y) + 3 * x;
-  return {linear[p[0]], linear[p[1]], linear[p[2]]};
+Eigen::Vector3f Linear(const uint8_t* rgb) {
+  return {kLinearFromSrgb[rgb[0]], kLinearFromSrgb[rgb[1]], kLinearFromSrgb[rgb[2]]};
 }
 
 Eigen::Vector3f Bilinear(const cv::Mat& level, float x, float y) {
   x = std::clamp(x - 0.5f, 0.0f, static_cast<float>(level.cols - 1));
   y = std::clamp(y - 0.5f, 0.0f, static_cast<float>(level.rows - 1));
-  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
-  const int x1 = std::min(x0 + 1, level.cols - 1), y1 = std::min(y0 + 1, level.rows - 1);
+  const int x0 = std::min(static_cast<int>(x), level.cols - 2);
+  const int y0 = std::min(static_cast<int>(y), level.rows - 2);
   const float a = x - static_cast<float>(x0), b = y - static_cast<float>(y0);
-  return (1 - b) * ((1 - a) * Texel(level, x0, y0) + a * Texel(level, x1, y0)) +
-         b * ((1 - a) * Texel(level, x0, y1) + a * Texel(level, x1, y1));
+  const uint8_t* upper = level.ptr<uint8_t>(y0) + 3 * x0;
+  const uint8_t* lower = level.ptr<uint8_t>(y0 + 1) + 3 * x0;
+  const Eigen::Vector3f above = (1 - a) * Linear(upper) + a * Linear(upper + 3);
+  const Eigen::Vector3f below = (1 - a) * Linear(lower) + a * Linear(lower + 3);
+  return (1 - b) * above + b * below;
 }
 
 }  // namespace
 
 Texture::Texture(const cv::Mat& rgb, double texel_m) : texel_m_(texel_m) {
-  ROVIO_CHECK(rgb.type() == CV_8UC3 && !rgb.empty() && texel_m > 0.0);
+  ROVIO_CHECK(rgb.type() == CV_8UC3 && rgb.rows >= 2 && rgb.cols >= 2 && texel_m > 0.0);
   levels_.push_back(rgb);
   while (std::min(levels_.back().cols, levels_.back().rows) >= 2 * kMinLevelSize) {
     cv::Mat half;
@@ -56,16 +54,12 @@ Texture::Texture(const cv::Mat& rgb, double texel_m) : texel_m_(texel_m) {
   }
 }
 
-Eigen::Vector3f Texture::Sample(float x, float y, float footprint_texels) const {
+Eigen::Vector3f Texture::Sample(float x, float y, float footprint_texels, float chance) const {
   const float max_level = static_cast<float>(levels_.size() - 1);
   const float level = std::clamp(std::log2(std::max(footprint_texels, 1e-6f)), 0.0f, max_level);
-  const size_t below = static_cast<size_t>(level);
-  const float share = level - static_cast<float>(below);
-  const float scale = 1.0f / static_cast<float>(1u << below);
-  const Eigen::Vector3f fine = Bilinear(levels_[below], x * scale, y * scale);
-  if (share < 0.02f || below + 1 >= levels_.size()) return fine;
-  const Eigen::Vector3f coarse = Bilinear(levels_[below + 1], 0.5f * x * scale, 0.5f * y * scale);
-  return (1 - share) * fine + share * coarse;
+  const size_t chosen = static_cast<size_t>(std::min(level + chance, max_level));
+  const float scale = 1.0f / static_cast<float>(1u << chosen);
+  return Bilinear(levels_[chosen], x * scale, y * scale);
 }
 
 }  // namespace rovio_sfm::sim

@@ -44,7 +44,8 @@ World::World(const WorldSpec& spec)
       scene_(surfaces_),
       light_maps_(BakeLight(spec_, surfaces_, scene_)) {}
 
-Vector3f World::Diffuse(const Vector3f& direction, const RayHit& hit, float spread_rad) const {
+Vector3f World::Diffuse(const Vector3f& direction, const RayHit& hit, float spread_rad,
+                        float chance) const {
   if (hit.surface < 0) return Vector3f::Zero();
   const size_t index = static_cast<size_t>(hit.surface);
   const Surface& surface = surfaces_[index];
@@ -54,12 +55,13 @@ Vector3f World::Diffuse(const Vector3f& direction, const RayHit& hit, float spre
   const float cosine = std::max(std::abs(direction.dot(surface.normals[0])), 0.1f);
   const float footprint =
       spread_rad * hit.distance / (static_cast<float>(texture.texel_m()) * std::sqrt(cosine));
-  return light_maps_[index].Sample(hit.u, hit.v) * texture.Sample(texel.x(), texel.y(), footprint);
+  return light_maps_[index].Sample(hit.u, hit.v) *
+         texture.Sample(texel.x(), texel.y(), footprint, chance);
 }
 
 Vector3f World::Radiance(const Vector3f& origin, const Vector3f& direction, const RayHit& hit,
                          float spread_rad, const Eigen::Vector2f& chance) const {
-  const Vector3f diffuse = Diffuse(direction, hit, spread_rad);
+  const Vector3f diffuse = Diffuse(direction, hit, spread_rad, chance.x());
   if (hit.surface < 0) return diffuse;
   const Surface& surface = surfaces_[static_cast<size_t>(hit.surface)];
   if (surface.mirror <= 0.0f && surface.gloss <= 0.0f) return diffuse;
@@ -71,7 +73,7 @@ Vector3f World::Radiance(const Vector3f& origin, const Vector3f& direction, cons
   RayHit next = scene_.Trace(point, reflected);
   next.distance += hit.distance;
   // Lamps in reflections are dimmed, or their few bright samples would sparkle.
-  const Vector3f mirrored = Diffuse(reflected, next, spread_rad).cwiseMin(1.5f);
+  const Vector3f mirrored = Diffuse(reflected, next, spread_rad, chance.x()).cwiseMin(1.5f);
   return (1.0f - share) * diffuse + share * mirrored;
 }
 

@@ -14,8 +14,9 @@ class Texture {
   Texture(const cv::Mat& rgb, double texel_m);
 
   // Linear RGB at a position in texels of level 0 (0.5 is the centre of the first), smoothed over
-  // footprint_texels; trilinear, clamped at the border.
-  Eigen::Vector3f Sample(float x, float y, float footprint_texels) const;
+  // footprint_texels; bilinear, clamped at the border. Between two levels the chance in [0, 1)
+  // decides: the mean over many samples is the blend.
+  Eigen::Vector3f Sample(float x, float y, float footprint_texels, float chance) const;
 
   double texel_m() const { return texel_m_; }
   cv::Size size_px() const { return levels_.front().size(); }

@@ -23,14 +23,15 @@ class World {
   const RayScene& scene() const { return scene_; }
 
   // The radiance that comes back along a ray whose nearest hit is given. spread: the angle between
-  // neighbouring rays (rad), for smoothing textures; chance in [0, 1)² scatters rough reflections.
+  // neighbouring rays (rad), for smoothing textures; chance in [0, 1)²
+  // chooses texture levels and scatters rough reflections.
   Eigen::Vector3f Radiance(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
                            const RayHit& hit, float spread_rad,
                            const Eigen::Vector2f& chance) const;
 
  private:
-  Eigen::Vector3f Diffuse(const Eigen::Vector3f& direction, const RayHit& hit,
-                          float spread_rad) const;
+  Eigen::Vector3f Diffuse(const Eigen::Vector3f& direction, const RayHit& hit, float spread_rad,
+                          float chance) const;
 
   WorldSpec spec_;
   std::vector<Surface> surfaces_;
