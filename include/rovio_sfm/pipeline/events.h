@@ -16,11 +16,11 @@ namespace rovio_sfm {
 // Into the frontend: an encoded image with what is known about the camera at its stamp.
 struct ImageEvent {
   int64_t stamp_ns = 0;
-  std::string name;                             // file name or sequence number, for people
+  std::string name;                                     // file name or sequence number, for people
   std::shared_ptr<const std::vector<uint8_t>> encoded;  // JPEG or PNG bytes
   Camera camera;
-  std::optional<OdometrySample> odometry;       // interpolated at the stamp
-  std::optional<Rigid3> base_from_camera;       // of the head, at the stamp; metres
+  std::optional<OdometrySample> odometry;  // interpolated at the stamp
+  std::optional<Rigid3> base_from_camera;  // of the head, at the stamp; metres
 };
 
 // Two published tracks that a later match has joined; ids already published never change.
@@ -44,7 +44,7 @@ struct FrameEvent {
   std::vector<TrackLink> links;
   std::optional<OdometrySample> odometry;
   std::optional<Rigid3> base_from_camera;
-  double blur = 0.0;                              // sharpness score of §5.1.2, higher is sharper
+  double blur = 0.0;  // sharpness score of §5.1.2, higher is sharper
   std::shared_ptr<const std::vector<uint8_t>> jpeg;  // only with keep_images
 };
 
