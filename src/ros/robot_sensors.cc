@@ -54,6 +54,7 @@ bool RobotSensors::KnowsHead(const std_msgs::Header& image) const {
 std::optional<Rigid3> RobotSensors::HeadAt(const std_msgs::Header& image) const {
   const int64_t taken_ns = ToNanoseconds(image.stamp) - DurationNs(options_.image_latency_s);
   const ros::Time taken = ToTime(taken_ns);
+  if (image.frame_id.empty()) return std::nullopt;  // tf2 complains aloud about empty names
   if (!transforms_->canTransform(options_.base_frame, image.frame_id, taken)) return std::nullopt;
   try {
     std::string error;
