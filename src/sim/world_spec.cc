@@ -34,6 +34,11 @@ bool WorldSpec::IsValid(std::string* error) const {
   check.True("textures", !textures.empty() && textures.size() <= 200, "1 to 200");
   check.True("lights", lights.size() <= 50, "at most 50");
   check.True("objects", !objects.empty() && objects.size() <= 5000, "1 to 5000");
+  for (const LightSpec& light : lights) {
+    check.Range("size_m of a light", light.size_m.minCoeff(), 0.01, 100.0);
+    check.Range("size_m of a light", light.size_m.maxCoeff(), 0.01, 100.0);
+    check.Range("radiance", light.radiance, 0.0, 10000.0);
+  }
   std::set<std::string> names;
   for (const TextureSpec& texture : textures) {
     check.Nested(texture);

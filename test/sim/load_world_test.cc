@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "rovio_sfm/util/rng.h"
 #include "sim/small_world.h"
 
 namespace rovio_sfm::sim {
@@ -36,6 +37,23 @@ TEST(ParseWorld, RefusesBrokenYamlWithASentence) {
   EXPECT_NE(ErrorOf("name: [").find("file"), std::string::npos);
   EXPECT_NE(ErrorOf("").find("file"), std::string::npos);
   EXPECT_NE(ErrorOf("- 1\n- 2").find("expected a mapping"), std::string::npos);
+}
+
+TEST(ParseWorld, SurvivesMutatedFiles) {
+  Rng rng(11);
+  for (int round = 0; round < 100; ++round) {
+    std::string yaml = SmallWorldYaml();
+    for (int i = 0; i < 4; ++i) {
+      yaml[rng.UniformInt(static_cast<uint32_t>(yaml.size()))] =
+          static_cast<char>(32 + rng.UniformInt(95));
+    }
+    yaml.resize(yaml.size() - rng.UniformInt(40));
+    try {
+      EXPECT_TRUE(ParseWorld(yaml, "file").IsValid(nullptr));
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("file"), std::string::npos);
+    }
+  }
 }
 
 TEST(LoadWorld, NamesAFileThatIsNotThere) {
