@@ -162,7 +162,7 @@ def verdicts(figures):
 
 
 def take_picture(path):
-    run("import", "-window", "root", path)
+    run("import", "-window", "root", "-colors", "128", path)
     print(f"screenshot {path.resolve()}")
 
 
