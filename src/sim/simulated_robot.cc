@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "rovio_sfm/util/check.h"
 #include "rovio_sfm/util/option_checker.h"
@@ -27,6 +28,26 @@ OmniDrive::IsFree FreeSpaceOf(const World& world) {
     }
     return true;
   };
+}
+
+bool IsSame(const Rigid3& a, const Rigid3& b) {
+  return a.translation == b.translation && a.rotation.coeffs() == b.rotation.coeffs();
+}
+
+bool IsSame(const CameraMotion& a, const CameraMotion& b) {
+  return IsSame(a.world_from_camera_open, b.world_from_camera_open) &&
+         IsSame(a.world_from_camera_close, b.world_from_camera_close);
+}
+
+// The samples of a picture depend on where the camera is, not on when it looks.
+uint64_t SeedOf(const CameraMotion& motion) {
+  uint64_t seed = 0;
+  for (const double value : motion.world_from_camera_open.translation) {
+    uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof(bits));
+    seed = (seed ^ bits) * 0x9e3779b97f4a7c15ULL;
+  }
+  return seed;
 }
 
 OmniDriveOptions DriveOptionsOf(const SimulatedRobotOptions& options) {
@@ -191,6 +212,13 @@ const ImageRenderer& SimulatedRobot::RendererFor(int resolution) {
   return *renderer;
 }
 
+const cv::Mat& SimulatedRobot::LightOf(const CameraMotion& motion, int resolution) {
+  if (last_.resolution != resolution || !IsSame(last_.motion, motion)) {
+    last_ = {motion, resolution, RendererFor(resolution).Render(motion, SeedOf(motion))};
+  }
+  return last_.light;
+}
+
 double SimulatedRobot::ExposureAt(int64_t time_ns, int brightness) const {
   const MutexLock lock(mutex_);
   const double elapsed_s = 1e-9 * static_cast<double>(time_ns - std::max<int64_t>(start_ns_, 0));
@@ -204,7 +232,7 @@ std::optional<CapturedImage> SimulatedRobot::Capture(int64_t time_ns,
   const int64_t shutter_ns = static_cast<int64_t>(1e9 * options_.shutter_s);
   const CameraMotion motion = MotionDuring(time_ns, time_ns + shutter_ns);
   const uint64_t seed = options_.seed * 0x9e3779b97f4a7c15ULL ^ static_cast<uint64_t>(time_ns);
-  const cv::Mat light = RendererFor(settings.resolution).Render(motion, seed);
+  const cv::Mat& light = LightOf(motion, settings.resolution);
   DevelopOptions develop = options_.develop;
   develop.jpeg_quality = kJpegQualities[std::clamp(settings.compression_ratio, 0, 2)];
   const double exposure = ExposureAt(time_ns, settings.brightness);

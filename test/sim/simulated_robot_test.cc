@@ -62,6 +62,19 @@ TEST_F(SimulatedRobots, SendsPicturesOfTheAskedSize) {
   EXPECT_EQ(robot_.Capture(kSecond_ns, settings)->jpeg, first->jpeg);
 }
 
+TEST_F(SimulatedRobots, SeesTheSameWhetherOrNotSomebodyLookedBefore) {
+  CameraSettings settings;
+  settings.resolution = 0;
+  SimulatedRobot other(world_, Options());
+  for (SimulatedRobot* robot : {&robot_, &other}) robot->AdvanceTo(0);
+  robot_.Capture(kSecond_ns, settings);
+  const auto rested = robot_.Capture(2 * kSecond_ns, settings);
+  EXPECT_EQ(rested->jpeg, other.Capture(2 * kSecond_ns, settings)->jpeg);
+  robot_.Drive({1, 1, {}, kSecond_ns});
+  robot_.AdvanceTo(3 * kSecond_ns);
+  EXPECT_NE(robot_.Capture(3 * kSecond_ns, settings)->jpeg, rested->jpeg);
+}
+
 TEST_F(SimulatedRobots, SeesObstaclesOnlyWithInfrared) {
   SimulatedRobotOptions near = Options();
   near.start = {1.5, 1.0, 0.0};

@@ -61,11 +61,21 @@ class SimulatedRobot : public RobotBackend {
   bool SeesObstacle() const REQUIRES(mutex_);
   CameraMotion MotionDuring(int64_t open_ns, int64_t close_ns) const EXCLUDES(mutex_);
   const ImageRenderer& RendererFor(int resolution);
+  const cv::Mat& LightOf(const CameraMotion& motion, int resolution);
   double ExposureAt(int64_t time_ns, int brightness) const;
 
   const World& world_;
   const SimulatedRobotOptions options_;
-  std::map<int, std::unique_ptr<ImageRenderer>> renderers_;  // of the capture thread alone
+
+  // Of the capture thread alone. A robot at rest sees the same light again and again; only noise
+  // and exposure change, so the last rendering is kept.
+  struct Rendering {
+    CameraMotion motion;
+    int resolution = -1;
+    cv::Mat light;
+  };
+  std::map<int, std::unique_ptr<ImageRenderer>> renderers_;
+  Rendering last_;
 
   mutable Mutex mutex_;
   OmniDrive drive_ GUARDED_BY(mutex_);
