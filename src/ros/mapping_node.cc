@@ -16,7 +16,8 @@ constexpr size_t kHistoryBytes = 256u << 20;
 constexpr double kEdgePeriodS = 0.05;
 constexpr double kMapPeriodS = 0.25;
 constexpr double kWarnPeriodS = 10.0;
-constexpr uint32_t kFetchPage = 20;  // events of one call
+constexpr uint32_t kFetchPage = 20;      // events of one call
+constexpr uint32_t kServiceThreads = 2;  // one call may wait for the worker, another answer
 
 double SteadySeconds() { return ros::SteadyTime::now().toSec(); }
 
@@ -29,7 +30,7 @@ MappingNode::MappingNode(const MappingNodeOptions& options, ros::NodeHandle node
       engine_(options.mapper),
       publisher_(node, options.cloud_period_s),
       history_(kHistoryEvents, kHistoryBytes),
-      service_spinner_(1, &service_queue_),
+      service_spinner_(kServiceThreads, &service_queue_),
       diagnostics_(node, private_node),
       worker_(kJobQueue, WhenFull::kDropOldest, [](const Job& job) { job(); }) {
   diagnostics_.setHardwareID("none");

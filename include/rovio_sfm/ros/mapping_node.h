@@ -26,7 +26,7 @@
 namespace rovio_sfm {
 
 // Frame events of all robots in, maps out. The callbacks of the main thread convert and push; the
-// worker owns the mapper; services have a thread of their own, so that a call that waits for the
+// worker owns the mapper; services have threads of their own, so that a call that waits for the
 // worker holds up nothing else.
 class MappingNode {
  public:
