@@ -11,7 +11,8 @@ from typing import Callable, NamedTuple
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 BUILD = pathlib.Path(os.environ.get("ROVIO_SFM_BUILD", ROOT / "build"))
-PROGRAMS = (ROOT if BUILD == ROOT / "build" else BUILD) / "devel/lib/rovio_sfm"
+DEVEL = (ROOT if BUILD == ROOT / "build" else BUILD) / "devel"
+PROGRAMS = DEVEL / "lib/rovio_sfm"
 DATA = pathlib.Path(os.environ.get("ROVIO_SFM_DATA", ROOT / "../shared/data")).resolve()
 WORK = ROOT / "out/accept"  # everything written here may be deleted
 

@@ -7,7 +7,7 @@ import re
 import subprocess
 
 from acceptance import robot_face
-from acceptance.common import (BUILD, PROGRAMS, ROOT, WORK, Line, Skipped, dataset, fresh_folder,
+from acceptance.common import (BUILD, DEVEL, PROGRAMS, ROOT, WORK, Line, Skipped, dataset, fresh_folder,
                                map_images, percent, render_tour, run)
 
 TOURS = ("visionlab", "turntable", "industrialArea", "pipeline", "engineRoom0", "engineRoom1",
@@ -171,7 +171,8 @@ def replay_once(bag, name, threads):
 
 def driver_faults(_quick):
     """The node tests of the driver against the fault switches of the simulator."""
-    done = subprocess.run(["ctest", "-R", "driver_(streaming|driving)", "--output-on-failure"], cwd=BUILD,
+    done = subprocess.run([str(DEVEL / "env.sh"), "ctest", "-R", "driver_(streaming|driving)",
+                           "--output-on-failure"], cwd=BUILD,
                           capture_output=True, text=True, check=False)
     found = "No tests were found" not in done.stdout + done.stderr
     tail = [line.strip() for line in done.stdout.splitlines() if line.strip()][-4:]
