@@ -14,6 +14,11 @@ pkg_check_modules(YAMLCPP REQUIRED IMPORTED_TARGET yaml-cpp)
 pkg_check_modules(DLIB REQUIRED IMPORTED_TARGET dlib-1)
 pkg_check_modules(OPENBLAS REQUIRED IMPORTED_TARGET openblas)
 if(ROVIO_WITH_ROS)
+  # catkin remembers, for node tests, the folders that exist now: that of our Python messages too.
+  if(NOT CATKIN_DEVEL_PREFIX)
+    set(CATKIN_DEVEL_PREFIX ${PROJECT_BINARY_DIR}/devel)
+  endif()
+  file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/python3/dist-packages)
   find_package(catkin REQUIRED COMPONENTS
     actionlib camera_info_manager cv_bridge diagnostic_updater dynamic_reconfigure geometry_msgs
     image_transport message_generation nav_msgs rosbag roscpp sensor_msgs std_msgs tf2_eigen
