@@ -104,7 +104,9 @@ std::shared_ptr<const MapSnapshot> MapBags(const Arguments& arguments, std::ostr
     out << drive.bag.string() << ": " << num_done << " images of " << drive.robot << ", "
         << images.NumRefused() << " messages refused\n";
   }
-  return mapper.Finish();
+  const std::shared_ptr<const MapSnapshot> snapshot = mapper.Finish();
+  out << mapper.mapper_counters().global_adjustments << " global adjustments\n";
+  return snapshot;
 }
 
 }  // namespace
