@@ -1,7 +1,7 @@
 # The layers, bottom to top: a folder may include what it links, and nothing else.
 set(OPENCV ${OpenCV_LIBS})
 
-rovio_library(util LINKS Threads::Threads)
+rovio_library(util LINKS Threads::Threads PkgConfig::OPENBLAS)
 rovio_library(geometry LINKS rovio_util Eigen3::Eigen ceres ${OPENCV} TEST_LINKS rovio_synthetic)
 rovio_library(scene LINKS rovio_geometry TEST_LINKS rovio_synthetic)
 
@@ -21,15 +21,17 @@ rovio_test(synthetic rovio_synthetic)
 
 rovio_library(rovio    LINKS rovio_scene CURL::libcurl)
 rovio_library(features LINKS rovio_scene ${OPENCV} PkgConfig::DLIB TEST_LINKS rovio_synthetic)
-rovio_library(matching LINKS rovio_scene ${OPENCV} PkgConfig::OPENBLAS TEST_LINKS rovio_synthetic)
+rovio_library(matching LINKS rovio_scene ${OPENCV} TEST_LINKS rovio_synthetic)
 rovio_library(tracks   LINKS rovio_scene TEST_LINKS rovio_synthetic)
 rovio_library(sfm      LINKS rovio_scene ceres ${OPENCV} TEST_LINKS rovio_synthetic)
+rovio_library(places   LINKS rovio_scene ZLIB::ZLIB TEST_LINKS rovio_synthetic)
+rovio_library(sessions LINKS rovio_scene ceres TEST_LINKS rovio_synthetic)
 rovio_library(io       LINKS rovio_scene ${OPENCV} PkgConfig::YAMLCPP TEST_LINKS rovio_synthetic)
 rovio_library(sim      LINKS rovio_geometry embree CLI11::CLI11 PkgConfig::YAMLCPP ${OPENCV})
 target_compile_definitions(rovio_sim PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
-rovio_library(pipeline LINKS rovio_features rovio_matching rovio_tracks rovio_sfm rovio_io
-                       TEST_LINKS rovio_synthetic)
+rovio_library(pipeline LINKS rovio_features rovio_matching rovio_tracks rovio_sfm rovio_places
+                             rovio_sessions rovio_io TEST_LINKS rovio_synthetic)
 rovio_library(tools    LINKS rovio_pipeline rovio_io CLI11::CLI11 nlohmann_json::nlohmann_json
                        TEST_LINKS rovio_synthetic)
 if(ROVIO_WITH_ROS)

@@ -4,8 +4,8 @@
 #include <limits>
 #include <opencv2/core.hpp>
 
-#include "rovio_sfm/matching/descriptor_products.h"
 #include "rovio_sfm/matching/match_approximate.h"
+#include "rovio_sfm/util/byte_products.h"
 #include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
@@ -35,7 +35,8 @@ BestTwo FindBestTwo(const float* products, const std::vector<float>& squared_nor
 }
 
 std::vector<FeatureMatch> MatchExactL2(const Descriptors& a, const Descriptors& b) {
-  const FloatDescriptors float_a = ToFloat(a), float_b = ToFloat(b);
+  const FloatRows float_a = ToFloatRows(a.data, a.length);
+  const FloatRows float_b = ToFloatRows(b.data, b.length);
   std::vector<FeatureMatch> matches;
   matches.reserve(b.Count());
   ForEachProductRow(float_a, float_b, [&](size_t index_b, const float* products) {

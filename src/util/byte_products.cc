@@ -1,4 +1,4 @@
-#include "rovio_sfm/matching/descriptor_products.h"
+#include "rovio_sfm/util/byte_products.h"
 
 #include <cblas.h>
 
@@ -21,21 +21,21 @@ void UseOneBlasThread() {
 
 }  // namespace
 
-FloatDescriptors ToFloat(const Descriptors& descriptors) {
-  FloatDescriptors result;
-  result.length = descriptors.length;
-  result.values.assign(descriptors.data.begin(), descriptors.data.end());
-  result.squared_norms.reserve(descriptors.Count());
-  for (size_t i = 0; i < descriptors.Count(); ++i) {
-    const uint8_t* row = descriptors.Row(i);
+FloatRows ToFloatRows(const std::vector<uint8_t>& data, uint32_t length) {
+  FloatRows rows;
+  rows.length = length;
+  if (length == 0) return rows;
+  rows.values.assign(data.begin(), data.end());
+  rows.squared_norms.reserve(data.size() / length);
+  for (size_t begin = 0; begin + length <= data.size(); begin += length) {
     uint32_t sum = 0;
-    for (uint32_t k = 0; k < descriptors.length; ++k) sum += uint32_t{row[k]} * row[k];
-    result.squared_norms.push_back(static_cast<float>(sum));
+    for (uint32_t k = 0; k < length; ++k) sum += uint32_t{data[begin + k]} * data[begin + k];
+    rows.squared_norms.push_back(static_cast<float>(sum));
   }
-  return result;
+  return rows;
 }
 
-void ForEachProductRow(const FloatDescriptors& a, const FloatDescriptors& b,
+void ForEachProductRow(const FloatRows& a, const FloatRows& b,
                        const std::function<void(size_t, const float*)>& visit) {
   ROVIO_CHECK(a.length == b.length);
   if (a.Count() == 0 || b.Count() == 0) return;
