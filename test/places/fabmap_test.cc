@@ -23,7 +23,7 @@ double SumOf(const FabmapResult& result) {
 WordBag LookAgain(const WordBag& place, Rng* rng) {
   WordBag words;
   for (const uint32_t word : place) {
-    if (rng->Uniform() < 0.6) words.push_back(word);
+    if (rng->Uniform() < 0.75) words.push_back(word);
   }
   for (int i = 0; i < 10; ++i) words.push_back(rng->UniformInt(kWords));
   return BagOfWords(words);
