@@ -12,7 +12,7 @@
 #include "rovio_sfm/pipeline/offline_mapper.h"
 #include "rovio_sfm/ros/bag_images.h"
 #include "rovio_sfm/ros/load_options.h"
-#include "rovio_sfm/ros/progress_bar.h"
+#include "rovio_sfm/tools/progress_bar.h"
 #include "rovio_sfm/tools/write_map_files.h"
 
 namespace rovio_sfm {

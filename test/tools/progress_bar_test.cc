@@ -1,4 +1,4 @@
-#include "rovio_sfm/ros/progress_bar.h"
+#include "rovio_sfm/tools/progress_bar.h"
 
 #include <gtest/gtest.h>
 
