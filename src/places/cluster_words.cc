@@ -15,7 +15,8 @@
 namespace rovio_sfm {
 namespace {
 
-constexpr size_t kSampleFactor = 20;    // features a word that seeding looks at
+constexpr size_t kSampleFactor = 20;    // features a word that seeding looks at …
+constexpr size_t kMinSample = 10'000;   // … but never fewer
 constexpr size_t kMaxSeedBatch = 64;    // words drawn at once …
 constexpr size_t kSeedBatchShare = 16;  // … and at most this part of the words drawn before
 constexpr size_t kTaskRows = 4096;      // features a task
@@ -183,7 +184,8 @@ bool ClusterOptions::IsValid(std::string* error) const {
 ClusterState SeedWords(const Descriptors& features, const ClusterOptions& options, Rng* rng) {
   ROVIO_CHECK(features.Count() > 0 && features.metric == DescriptorMetric::kL2);
   const auto num_words = static_cast<size_t>(options.num_words);
-  const Descriptors sample = SampleRows(features, kSampleFactor * num_words, rng);
+  const Descriptors sample =
+      SampleRows(features, std::max(kSampleFactor * num_words, kMinSample), rng);
   ClusterState state;
   state.words = EmptyLike(features);
   AppendRow(sample, 0, &state.words);

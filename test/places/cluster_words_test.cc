@@ -46,9 +46,9 @@ ClusterState Cluster(const Descriptors& features, const ClusterOptions& options,
 
 TEST(ClusterWords, FindsTheMiddlesOfClouds) {
   const Descriptors features = Clouds(2000, 10, 1);
-  const ClusterState state = Cluster(features, OptionsFor(10), 1, 0);
+  const ClusterState state = Cluster(features, OptionsFor(15), 1, 0);
   EXPECT_TRUE(state.converged);
-  EXPECT_EQ(state.words.Count(), 10u);
+  EXPECT_EQ(state.words.Count(), 15u);
   EXPECT_LT(state.mean_squared_distance, kLength * 8.0);  // variance of -4 … 4 is 20/3
 }
 
