@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "rovio_sfm/geometry/relative_pose.h"
+#include "rovio_sfm/util/check.h"
 #include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
@@ -116,9 +117,15 @@ ImageMotion MotionTracker::Follow(const FlowPyramid& small_image, const Camera& 
   return motion;
 }
 
+void KeyframeChooser::SetOptions(const ChooseOptions& options) {
+  ROVIO_CHECK(options.mode == options_.mode, "the mode of a drive stays");
+  options_ = options;
+  tracker_.SetOptions(options);
+}
+
 double KeyframeChooser::SharpnessShare(double sharpness) {
   sharpness_.push_back(sharpness);
-  if (sharpness_.size() > static_cast<size_t>(options_.sharpness_window)) sharpness_.pop_front();
+  while (sharpness_.size() > static_cast<size_t>(options_.sharpness_window)) sharpness_.pop_front();
   const double median = Median({sharpness_.begin(), sharpness_.end()});
   return median > 0.0 ? sharpness / median : 0.0;
 }

@@ -34,6 +34,16 @@ Frontend::Frontend(const FrontendOptions& options, std::string robot, uint64_t s
   ROVIO_CHECK(options_.IsValid(&error), error);
 }
 
+bool Frontend::SetOptions(const FrontendOptions& options, std::string* error) {
+  if (!MayFollow(options_, options, error)) return false;
+  options_ = options;
+  if (!drive_) return true;
+  drive_->chooser.SetOptions(options.choose);
+  drive_->light.SetOptions(options.light);
+  drive_->tracks.SetOptions(options.track);
+  return true;
+}
+
 std::optional<FrameEvent> Frontend::Add(const ImageEvent& image) {
   const auto prepare = [&] {
     const StageTimes::Scope scope = MeasureStage(times_, "prepare");
@@ -137,7 +147,7 @@ void Frontend::LinkTracks(FrameEvent* event) {
 
 void Frontend::Remember(const RecentKeyframe& keyframe) {
   drive_->recent.push_back(keyframe);
-  if (drive_->recent.size() > static_cast<size_t>(options_.recursion.max_frames)) {
+  while (drive_->recent.size() > static_cast<size_t>(options_.recursion.max_frames)) {
     drive_->recent.pop_front();
   }
 }

@@ -20,4 +20,17 @@ bool FrontendOptions::IsValid(std::string* error) const {
   return checker.Passed();
 }
 
+bool MayFollow(const FrontendOptions& now, const FrontendOptions& next, std::string* error) {
+  constexpr const char* kSame = "no change while the frontend runs";
+  OptionChecker checker("frontend", error);
+  checker.Nested(next);
+  checker.True("extract.type", next.extract.type == now.extract.type, kSame);
+  checker.True("choose.mode", next.choose.mode == now.choose.mode, kSame);
+  checker.True("light.enabled", next.light.enabled == now.light.enabled, kSame);
+  checker.True("light.flow.window_px", next.light.flow.window_px == now.light.flow.window_px,
+               kSame);
+  checker.True("light.flow.levels", next.light.flow.levels == now.light.flow.levels, kSame);
+  return checker.Passed();
+}
+
 }  // namespace rovio_sfm

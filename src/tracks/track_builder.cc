@@ -33,9 +33,12 @@ bool TrackOptions::IsValid(std::string* error) const {
   return checker.Passed();
 }
 
-TrackBuilder::TrackBuilder(const TrackOptions& options) : options_(options) {
+TrackBuilder::TrackBuilder(const TrackOptions& options) { SetOptions(options); }
+
+void TrackBuilder::SetOptions(const TrackOptions& options) {
   std::string error;
-  ROVIO_CHECK(options_.IsValid(&error), error);
+  ROVIO_CHECK(options.IsValid(&error), error);
+  options_ = options;
 }
 
 TrackUpdate TrackBuilder::Add(uint32_t frame_index,

@@ -27,5 +27,37 @@ TEST(FrontendOptions, TracksMustReachAsFarBackAsMatches) {
   EXPECT_NE(ErrorOf(options), "");
 }
 
+std::string ErrorOfChange(const FrontendOptions& next) {
+  std::string error;
+  return MayFollow({}, next, &error) ? "" : error;
+}
+
+TEST(FrontendOptions, ThresholdsMayChangeWithinADrive) {
+  FrontendOptions next;
+  next.pair.verify.threshold_px = 2.0;
+  next.recursion.max_frames = 3;
+  next.light.flow.max_backward_error_px = 1.0;
+  EXPECT_EQ(ErrorOfChange(next), "");
+}
+
+TEST(FrontendOptions, WhatADriveIsBuiltWithMayNotChange) {
+  FrontendOptions next;
+  next.extract.type = DescriptorType::kOrb;
+  EXPECT_EQ(ErrorOfChange(next),
+            "frontend.extract.type: expected no change while the frontend runs");
+  next = {};
+  next.choose.mode = KeyframeMode::kParallax;
+  EXPECT_NE(ErrorOfChange(next), "");
+  next = {};
+  next.light.flow.levels = 2;
+  EXPECT_NE(ErrorOfChange(next), "");
+}
+
+TEST(FrontendOptions, InvalidOnesMayNotFollow) {
+  FrontendOptions next;
+  next.choose.spoilt_share = next.choose.blurred_share + 0.1;
+  EXPECT_NE(ErrorOfChange(next).find("spoilt_share"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace rovio_sfm

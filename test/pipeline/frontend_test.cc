@@ -131,5 +131,59 @@ TEST(Frontend, KeepsImagesOnlyWhenAsked) {
   EXPECT_NE(EventsOf(options, 8.0, 1).at(0).jpeg, nullptr);
 }
 
+// Events of `count` images, with other options from image `change_at` on.
+std::vector<FrameEvent> EventsWithChange(const FrontendOptions& first, const FrontendOptions& then,
+                                         double step_px, int count, int change_at) {
+  const MovingImages images;
+  Frontend frontend(first, "rovio", 1, 5);
+  std::vector<FrameEvent> events;
+  for (int i = 0; i < count; ++i) {
+    EXPECT_TRUE(frontend.SetOptions(i < change_at ? first : then, nullptr));
+    auto event = frontend.Add(MovingImages::Event(images.At(i * step_px), i));
+    if (event) events.push_back(*event);
+  }
+  return events;
+}
+
+TEST(Frontend, ThresholdsHoldFromTheNextImageOnInTheSameDrive) {
+  const FrontendOptions first = SmallOptions(KeyframeMode::kEvery);
+  FrontendOptions then = first;
+  then.recursion.max_frames = 1;
+  then.track.same_feature_px = 0.0;
+  const auto events = EventsWithChange(first, then, 8.0, 5, 3);
+  ASSERT_EQ(events.size(), 5u);
+  EXPECT_EQ(events[2].pairs.size(), 2u);
+  EXPECT_EQ(events[4].pairs.size(), 1u);
+  EXPECT_EQ(events[4].id.drive, events[0].id.drive);
+  EXPECT_EQ(events[4].id.index, 4u);
+}
+
+TEST(Frontend, VideoGoesOnWhenEveryThresholdChanges) {
+  const FrontendOptions first = SmallOptions(KeyframeMode::kParallax);
+  FrontendOptions then = first;
+  then.choose.min_flow_rad = 0.05;
+  then.choose.sharpness_window = 3;
+  then.choose.num_corners = 50;
+  then.light.max_features = 60;
+  then.light.flow.max_backward_error_px = 0.3;
+  const auto events = EventsWithChange(first, then, 2.0, 12, 6);
+  const auto unchanged = EventsOf(first, 2.0, 12);
+  ASSERT_EQ(events.size(), 12u);
+  EXPECT_EQ(events[5].tracks, unchanged[5].tracks);
+  EXPECT_EQ(events[11].id.drive, events[0].id.drive);
+}
+
+TEST(Frontend, RefusedOptionsLeaveTheOldOnes) {
+  const FrontendOptions options = SmallOptions(KeyframeMode::kEvery);
+  Frontend frontend(options, "rovio", 1, 5);
+  FrontendOptions other_type = options;
+  other_type.extract.type = DescriptorType::kOrb;
+  other_type.min_features = 99;
+  std::string error;
+  EXPECT_FALSE(frontend.SetOptions(other_type, &error));
+  EXPECT_NE(error.find("extract.type"), std::string::npos) << error;
+  EXPECT_EQ(frontend.options().min_features, options.min_features);
+}
+
 }  // namespace
 }  // namespace rovio_sfm

@@ -53,6 +53,9 @@ class MotionTracker {
  public:
   explicit MotionTracker(const ChooseOptions& options) : options_(options) {}
 
+  // From the next keyframe on.
+  void SetOptions(const ChooseOptions& options) { options_ = options; }
+
   // How the half-size pyramids are to be built.
   static FlowOptions PyramidOptions();
 
@@ -73,6 +76,9 @@ class MotionTracker {
 class KeyframeChooser {
  public:
   explicit KeyframeChooser(const ChooseOptions& options) : options_(options), tracker_(options) {}
+
+  // From the next image on; the mode must stay.
+  void SetOptions(const ChooseOptions& options);
 
   // The first image is a keyframe unless it is spoilt. small_image may be empty in mode every.
   ImageChoice Choose(const FlowPyramid& small_image, double sharpness, const Camera& camera);

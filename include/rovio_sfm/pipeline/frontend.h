@@ -46,6 +46,11 @@ class Frontend {
   // The same for an image that PrepareImage prepared with the same options.
   std::optional<FrameEvent> Add(const PreparedImage& image);
 
+  // New thresholds from the next image on; drive, keyframes and tracks go on. False, with the
+  // reason, if they may not follow the present ones (MayFollow); these then stay.
+  bool SetOptions(const FrontendOptions& options, std::string* error);
+
+  const FrontendOptions& options() const { return options_; }
   const FrontendCounters& counters() const { return counters_; }
   const std::string& last_refusal() const { return last_refusal_; }
 

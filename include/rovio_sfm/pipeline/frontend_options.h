@@ -29,4 +29,9 @@ struct FrontendOptions {
   bool IsValid(std::string* error) const;
 };
 
+// Whether `next` may take over from `now` within a drive: it is valid, and what earlier frames of
+// the drive were built with (descriptor type, keyframe mode, light frames and their pyramids)
+// stays. Otherwise error, which may be null, names the option.
+bool MayFollow(const FrontendOptions& now, const FrontendOptions& next, std::string* error);
+
 }  // namespace rovio_sfm

@@ -33,6 +33,9 @@ class LightTracks {
  public:
   explicit LightTracks(const LightOptions& options) : options_(options) {}
 
+  // From the next image on (max_features: from the next keyframe); the pyramids must stay.
+  void SetOptions(const LightOptions& options) { options_ = options; }
+
   // Begins anew at this keyframe. preferred marks features worth following first (matched ones).
   void StartFrom(const FlowPyramid& image, std::shared_ptr<const FrameFeatures> features,
                  const std::vector<TrackId>& tracks, const std::vector<bool>& preferred);

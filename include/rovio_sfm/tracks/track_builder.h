@@ -48,6 +48,9 @@ class TrackBuilder {
  public:
   explicit TrackBuilder(const TrackOptions& options);
 
+  // From the next keyframe on.
+  void SetOptions(const TrackOptions& options);
+
   // Adds a keyframe; frame_index must grow. Pairs come nearest frame first; feature indices of
   // their inliers must be valid.
   TrackUpdate Add(uint32_t frame_index, const std::vector<Eigen::Vector2f>& keypoints_px,
