@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/geometry/sim3.h"
+#include "rovio_sfm/sessions/find_common_landmarks.h"
+#include "rovio_sfm/sessions/fit_similarity.h"
+#include "rovio_sfm/util/rng.h"
+
+namespace rovio_sfm {
+
+struct AlignOptions {
+  int max_iterations = 300;       // RANSAC samples; matches were verified before, so few are false
+  double confidence = 0.999;      // that one sample was free of outliers, in (0, 1)
+  double threshold_sigmas = 3.5;  // an inlier's largest residual; 99.8 % of true ones in 2D
+  double loss_sigmas = 1.5;       // scale of the Cauchy loss of the refinement; above 0
+  int min_inliers = 12;           // fewer matches are no alignment
+  int min_common = 5;             // inliers of which both sessions have the landmark, distinct
+  double max_sigma_log_scale = 0.1;       // a scale less certain than 10 % spoils the merged map
+  double max_sigma_rotation_rad = 0.035;  // 2 degrees: points on one line, or in one place
+  // Landmarks of one place share the errors of its cameras, which no number of them averages out:
+  double sigma_log_distance_floor = 0.02;  // of one landmark's distance
+  double sigma_log_scale_floor = 0.005;    // of the alignment's scale
+
+  // Names the field, its value and its bound.
+  bool IsValid(std::string* error) const;
+};
+
+// How session a lies in session b.
+struct SessionAlignment {
+  Sim3 b_from_a;
+  double sigma_log_scale = 0.0;
+  double sigma_rotation_rad = 0.0;  // about the worst axis
+  std::vector<uint32_t> inliers;    // into the matches, ascending
+  int num_common = 0;               // distinct pairs of landmarks among the inliers
+  double rms_sigmas = 0.0;          // of the inliers' residuals
+  bool by_resection = false;        // from a resected camera, not from 3D-3D samples
+};
+
+enum class AlignRefusal : uint8_t {
+  kNone = 0,
+  kTooFewMatches = 1,      // with a landmark, or with both
+  kNoModel = 2,            // no sample gave a similarity: points on one line or in one place
+  kTooFewInliers = 3,      // min_inliers
+  kTooFewCommon = 4,       // min_common
+  kScaleUncertain = 5,     // max_sigma_log_scale
+  kRotationUncertain = 6,  // max_sigma_rotation_rad
+  kUndetermined = 7,       // some change of the similarity changes no residual
+};
+const char* ToString(AlignRefusal refusal);
+
+struct AlignReport {
+  std::optional<SessionAlignment> alignment;  // refined; none where it is refused
+  AlignRefusal refusal = AlignRefusal::kNone;
+  int num_matches = 0, num_common = 0;  // of the input; with both landmarks
+};
+
+// 3D-3D: RANSAC over similarities from three common landmarks (Umeyama, then by reprojection), and
+// RefineAlignment. The same matches, options and state of rng give the same bytes.
+AlignReport AlignByPoints(const std::vector<CrossMatch>& matches, const AlignOptions& options,
+                          Rng& rng);
+
+// 2D-3D: a camera of session a was resected in map b; the scale is the median ratio of the depths
+// of common landmarks in that camera. Then RefineAlignment.
+AlignReport AlignFromPose(const std::vector<CrossMatch>& matches, const Rigid3& cam_from_a,
+                          const Rigid3& cam_from_b, const AlignOptions& options);
+
+// Minimises the robust reprojection error of a's landmarks in b's frames and of b's in a's, and the
+// log ratio of the distances of common ones, all in sigmas; the inliers are chosen anew in between.
+// A residual's sigma counts the feature's and that of the landmark's distance. With a scale prior
+// no landmark needs to be common.
+AlignReport RefineAlignment(const std::vector<CrossMatch>& matches, const Sim3& initial_b_from_a,
+                            const AlignOptions& options,
+                            const std::optional<ScalePrior>& scale_prior = std::nullopt);
+
+// The similarity of this scale under which one camera has both poses.
+Sim3 SimilarityFromCamera(const Rigid3& cam_from_a, const Rigid3& cam_from_b, double scale);
+
+}  // namespace rovio_sfm
