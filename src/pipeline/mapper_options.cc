@@ -55,6 +55,8 @@ bool ScaleOptions::IsValid(std::string* error) const {
   checker.Range("max_rotation_gap_deg", max_rotation_gap_deg, 0.1, 45.0);
   checker.Range("odometry_gain_sigma", odometry_gain_sigma, 0.001, 1.0);
   checker.Range("sideways_sigma", sideways_sigma, 0.0, 1.0);
+  checker.Range("camera_height_m", camera_height_m, 0.0, 10.0);
+  checker.Range("camera_height_sigma", camera_height_sigma, 0.001, 1.0);
   return checker.Passed();
 }
 

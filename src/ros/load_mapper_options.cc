@@ -48,6 +48,8 @@ void ReadScale(OptionReader reader, ScaleOptions* options) {
   reader.Read("max_rotation_gap_deg", &options->max_rotation_gap_deg);
   reader.Read("odometry_gain_sigma", &options->odometry_gain_sigma);
   reader.Read("sideways_sigma", &options->sideways_sigma);
+  reader.Read("camera_height_m", &options->camera_height_m);
+  reader.Read("camera_height_sigma", &options->camera_height_sigma);
   reader.RefuseUnknown();
 }
 

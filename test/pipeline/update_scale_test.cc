@@ -56,5 +56,38 @@ TEST(UpdateScale, SaysNothingWithoutOdometry) {
   EXPECT_FALSE(session.scale().has_value());
 }
 
+// A session that looks forward over a floor kHeight map units below its cameras.
+constexpr double kHeight = 0.6;
+
+Session DriveOverFloor() {
+  SyntheticDriveOptions options;
+  options.world.motion = SyntheticMotion::kForward;
+  options.world.num_points = 900;
+  SyntheticDrive drive = MakeSyntheticDrive(options);
+  Session session = MappedDrive(drive);
+  Rng rng(4);
+  std::vector<TrackId> tracks;
+  for (const auto& [id, landmark] : session.landmarks()) tracks.push_back(id);
+  for (const TrackId id : tracks) {
+    const double z = rng.Uniform(0.0, 6.0);
+    session.SetPosition(id, {rng.Uniform(-1.0, 1.0), kHeight + 0.02 * z, z});  // along the way
+  }
+  return session;
+}
+
+TEST(UpdateScale, TakesTheCameraHeightWithoutOdometry) {
+  Session session = DriveOverFloor();
+  ScaleOptions options;
+  options.camera_height_m = 0.3;
+  ASSERT_TRUE(UpdateScale(options, false, &session));
+  EXPECT_EQ(session.scale()->source, "camera height");
+  EXPECT_NEAR(session.scale()->metres_per_unit, 0.3 / kHeight, 0.01);
+}
+
+TEST(UpdateScale, IgnoresTheFloorWhereTheHeightIsNotKnown) {
+  Session session = DriveOverFloor();
+  EXPECT_FALSE(UpdateScale({}, true, &session));
+}
+
 }  // namespace
 }  // namespace rovio_sfm
