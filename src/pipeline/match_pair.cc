@@ -58,11 +58,16 @@ bool PairOptions::IsValid(std::string* error) const {
 PairMatches MatchPair(uint32_t other_index, const FrameFeatures& other,
                       const FrameFeatures& features, const Camera& camera,
                       const PairOptions& options, Rng& rng) {
+  return MatchPair(other_index, other, features, camera.MeanFocal(), options, rng);
+}
+
+PairMatches MatchPair(uint32_t other_index, const FrameFeatures& other,
+                      const FrameFeatures& features, double focal_px, const PairOptions& options,
+                      Rng& rng) {
   PairMatches pair;
   pair.other_index = other_index;
   const std::vector<FeatureMatch> matches =
       MatchByAppearance(other, features, options, &pair.counts);
-  const double focal_px = camera.MeanFocal();
   const PairVerification verified = VerifyPair(NormalizedPoints(other), NormalizedPoints(features),
                                                matches, focal_px, options.verify, rng);
   pair.verdict = verified.verdict;

@@ -32,4 +32,9 @@ PairMatches MatchPair(uint32_t other_index, const FrameFeatures& other,
                       const FrameFeatures& features, const Camera& camera,
                       const PairOptions& options, Rng& rng);
 
+// The same for frames of two cameras: focal_px turns the thresholds into the plane z = 1.
+PairMatches MatchPair(uint32_t other_index, const FrameFeatures& other,
+                      const FrameFeatures& features, double focal_px, const PairOptions& options,
+                      Rng& rng);
+
 }  // namespace rovio_sfm
