@@ -63,8 +63,8 @@ struct AlignReport {
 AlignReport AlignByPoints(const std::vector<CrossMatch>& matches, const AlignOptions& options,
                           Rng& rng);
 
-// 2D-3D: a camera of session a was resected in map b; the scale is the median ratio of the depths
-// of common landmarks in that camera. Then RefineAlignment.
+// 2D-3D: one camera, of either session, was resected in the other's map; the scale is the median
+// ratio of the depths of common landmarks in it. Then RefineAlignment.
 AlignReport AlignFromPose(const std::vector<CrossMatch>& matches, const Rigid3& cam_from_a,
                           const Rigid3& cam_from_b, const AlignOptions& options);
 
