@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "io/temporary_folder.h"
+#include "util/temporary_folder.h"
 
 namespace rovio_sfm {
 namespace {

@@ -1,6 +1,6 @@
 #include "rovio_sfm/io/trajectory_file.h"
 
-#include "io/temporary_folder.h"
+#include "util/temporary_folder.h"
 
 namespace rovio_sfm {
 namespace {

@@ -1,7 +1,7 @@
 #include "rovio_sfm/io/write_file.h"
 
-#include "io/temporary_folder.h"
 #include "rovio_sfm/io/text_file.h"
+#include "util/temporary_folder.h"
 
 namespace rovio_sfm {
 namespace {

@@ -4,16 +4,16 @@
 
 #include <stdexcept>
 
-#include "sim/temp_folder.h"
+#include "util/temporary_folder.h"
 
 namespace rovio_sfm::sim {
 namespace {
 
 TEST(FindConfigFolder, TakesTheAskedOne) {
-  const TempFolder temp;
+  const TemporaryFolder temp;
   temp.Write("worlds/a.yaml", "");
   temp.Write("tours/a.yaml", "");
-  EXPECT_EQ(FindConfigFolder(temp.path()), temp.path());
+  EXPECT_EQ(FindConfigFolder(temp.Path()), temp.Path());
 }
 
 TEST(FindConfigFolder, FindsTheShippedOne) {

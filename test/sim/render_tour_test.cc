@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "sim/small_world.h"
-#include "sim/temp_folder.h"
+#include "util/temporary_folder.h"
 
 namespace rovio_sfm::sim {
 namespace {
@@ -20,35 +20,35 @@ class RenderTours : public testing::Test {
 
   RenderTourOptions Options(const std::string& out) const {
     RenderTourOptions options;
-    options.config_folder = temp_.path() + "/config";
+    options.config_folder = temp_.Path() / "config";
     options.tour = "short";
-    options.out_folder = temp_.path() + "/" + out;
+    options.out_folder = temp_.Path() / out;
     options.max_frames = 2;
     options.render.samples_per_side = 1;
     return options;
   }
 
-  const TempFolder temp_;
+  const TemporaryFolder temp_;
 };
 
 TEST_F(RenderTours, WritesPicturesOfTheRoviosSize) {
   EXPECT_EQ(RenderTour(Options("a")), 2);
-  const cv::Mat picture = cv::imread(temp_.path() + "/a/images/000001.jpg");
+  const cv::Mat picture = cv::imread(temp_.Path() / "a/images/000001.jpg");
   EXPECT_EQ(picture.size(), cv::Size(640, 480));
-  EXPECT_NE(ReadText(temp_.path() + "/a/overlaps.txt").find("0 1 "), std::string::npos);
+  EXPECT_NE(ReadText(temp_.Path() / "a/overlaps.txt").find("0 1 "), std::string::npos);
 }
 
 TEST_F(RenderTours, BytesDependNeitherOnThreadsNorOnTheTwin) {
   RenderTourOptions threaded = Options("b");
   threaded.num_threads = 2;
-  threaded.clean_out_folder = temp_.path() + "/clean";
+  threaded.clean_out_folder = temp_.Path() / "clean";
   RenderTour(Options("a"));
   RenderTour(threaded);
-  for (const char* name : {"/images/000000.jpg", "/images/000001.jpg", "/odometry.txt"}) {
-    EXPECT_EQ(ReadText(temp_.path() + "/a" + name), ReadText(temp_.path() + "/b" + name)) << name;
+  for (const char* name : {"images/000000.jpg", "images/000001.jpg", "odometry.txt"}) {
+    EXPECT_EQ(ReadText(temp_.Path() / "a" / name), ReadText(temp_.Path() / "b" / name)) << name;
   }
-  EXPECT_NE(ReadText(temp_.path() + "/a/images/000000.jpg"),
-            ReadText(temp_.path() + "/clean/images/000000.jpg"));
+  EXPECT_NE(ReadText(temp_.Path() / "a/images/000000.jpg"),
+            ReadText(temp_.Path() / "clean/images/000000.jpg"));
 }
 
 TEST_F(RenderTours, NamesAMissingTour) {

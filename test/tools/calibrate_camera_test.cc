@@ -4,10 +4,10 @@
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
-#include "io/temporary_folder.h"
 #include "rovio_sfm/io/calibration.h"
 #include "rovio_sfm/tools/list_images.h"
 #include "tools/command_line.h"
+#include "util/temporary_folder.h"
 
 namespace rovio_sfm {
 namespace {

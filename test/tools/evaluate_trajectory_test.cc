@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/temporary_folder.h"
 #include "tools/command_line.h"
+#include "util/temporary_folder.h"
 
 namespace rovio_sfm {
 namespace {

@@ -1,6 +1,6 @@
 #include "rovio_sfm/tools/list_images.h"
 
-#include "io/temporary_folder.h"
+#include "util/temporary_folder.h"
 
 namespace rovio_sfm {
 namespace {

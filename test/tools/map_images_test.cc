@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "io/temporary_folder.h"
 #include "rovio_sfm/io/text_file.h"
 #include "tools/command_line.h"
+#include "util/temporary_folder.h"
 
 namespace rovio_sfm {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "io/temporary_folder.h"
 #include "rovio_sfm/tools/list_images.h"
 #include "rovio_sfm/util/rng.h"
 #include "tools/command_line.h"
+#include "util/temporary_folder.h"
 
 namespace rovio_sfm {
 namespace {

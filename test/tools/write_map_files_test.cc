@@ -1,7 +1,7 @@
 #include "rovio_sfm/tools/write_map_files.h"
 
-#include "io/temporary_folder.h"
 #include "pipeline/small_snapshot.h"
+#include "util/temporary_folder.h"
 
 namespace rovio_sfm {
 namespace {

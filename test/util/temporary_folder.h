@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 namespace rovio_sfm {
@@ -36,6 +37,14 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
+
+// The bytes of a file; none if there is no such file.
+inline std::string ReadText(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
 
 // The message of the std::exception that the call throws; empty if it throws none.
 template <typename Call>
