@@ -40,14 +40,12 @@ struct EpipolarEquations {
 
 std::optional<EpipolarEquations> BuildEquations(const std::vector<Eigen::Vector2d>& points_a,
                                                 const std::vector<Eigen::Vector2d>& points_b) {
-  if (points_a.size() < 8 || points_a.size() != points_b.size()) return std::nullopt;
-  const auto transform_a = FindPointNormalization(points_a);
-  const auto transform_b = FindPointNormalization(points_b);
-  if (!transform_a || !transform_b) return std::nullopt;
+  const auto matches = NormalizeMatches(points_a, points_b, 8);
+  if (!matches) return std::nullopt;
   Matrix9d normal = Matrix9d::Zero();
-  for (size_t i = 0; i < points_a.size(); ++i) {
-    const Eigen::Vector3d x_a = *transform_a * points_a[i].homogeneous();
-    const Eigen::Vector3d x_b = *transform_b * points_b[i].homogeneous();
+  for (size_t i = 0; i < matches->x_a.size(); ++i) {
+    const Eigen::Vector3d& x_a = matches->x_a[i];
+    const Eigen::Vector3d& x_b = matches->x_b[i];
     Vector9d row;
     row << x_b.x() * x_a, x_b.y() * x_a, x_b.z() * x_a;
     normal.selfadjointView<Eigen::Lower>().rankUpdate(row);
@@ -55,7 +53,7 @@ std::optional<EpipolarEquations> BuildEquations(const std::vector<Eigen::Vector2
   const Eigen::SelfAdjointEigenSolver<Matrix9d> solver(normal);
   const Vector9d eigenvalues = solver.eigenvalues().cwiseMax(0.0);
   if (!(eigenvalues(1) > kMinEigenvalueRatio * eigenvalues(8))) return std::nullopt;
-  return EpipolarEquations{*transform_a, *transform_b,
+  return EpipolarEquations{matches->transform_a, matches->transform_b,
                            eigenvalues.cwiseSqrt().asDiagonal() * solver.eigenvectors().transpose(),
                            solver.eigenvectors().col(0)};
 }

@@ -55,14 +55,12 @@ TransferSystem Linearize(const std::vector<Eigen::Vector2d>& points_a,
 
 std::optional<Eigen::Matrix3d> EstimateHomography(const std::vector<Eigen::Vector2d>& points_a,
                                                   const std::vector<Eigen::Vector2d>& points_b) {
-  if (points_a.size() < 4 || points_a.size() != points_b.size()) return std::nullopt;
-  const auto transform_a = FindPointNormalization(points_a);
-  const auto transform_b = FindPointNormalization(points_b);
-  if (!transform_a || !transform_b) return std::nullopt;
+  const auto matches = NormalizeMatches(points_a, points_b, 4);
+  if (!matches) return std::nullopt;
   Matrix9d normal = Matrix9d::Zero();
-  for (size_t i = 0; i < points_a.size(); ++i) {
-    const Eigen::Vector3d x_a = *transform_a * points_a[i].homogeneous();
-    const Eigen::Vector3d x_b = *transform_b * points_b[i].homogeneous();
+  for (size_t i = 0; i < matches->x_a.size(); ++i) {
+    const Eigen::Vector3d& x_a = matches->x_a[i];
+    const Eigen::Vector3d& x_b = matches->x_b[i];
     for (int k = 0; k < 2; ++k) {
       Vector9d row = Vector9d::Zero();
       row.segment<3>(3 * k) = x_a;
@@ -75,7 +73,7 @@ std::optional<Eigen::Matrix3d> EstimateHomography(const std::vector<Eigen::Vecto
   if (!(eigenvalues(1) > kMinEigenvalueRatio * eigenvalues(8))) return std::nullopt;
   const Vector9d stack = solver.eigenvectors().col(0);
   const Eigen::Matrix3d homography = Eigen::Map<const RowMajor3d>(stack.data());
-  return WithUnitDeterminant(transform_b->inverse() * homography * *transform_a);
+  return WithUnitDeterminant(matches->transform_b.inverse() * homography * matches->transform_a);
 }
 
 std::optional<Eigen::Matrix3d> SolveFourPoint(const std::vector<Eigen::Vector2d>& points_a,

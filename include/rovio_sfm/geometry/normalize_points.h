@@ -10,4 +10,16 @@ namespace rovio_sfm {
 // that linear equations in them are well conditioned. Nothing if the points are one point or none.
 std::optional<Eigen::Matrix3d> FindPointNormalization(const std::vector<Eigen::Vector2d>& points);
 
+// Matched points in normalised form, homogeneous: x_a = transform_a * point_a.
+struct NormalizedMatches {
+  Eigen::Matrix3d transform_a, transform_b;
+  std::vector<Eigen::Vector3d> x_a, x_b;
+};
+
+// Nothing if there are fewer than min_matches, if the lists differ in length, or if the points of
+// one are one point.
+std::optional<NormalizedMatches> NormalizeMatches(const std::vector<Eigen::Vector2d>& points_a,
+                                                  const std::vector<Eigen::Vector2d>& points_b,
+                                                  size_t min_matches);
+
 }  // namespace rovio_sfm
