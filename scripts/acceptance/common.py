@@ -1,5 +1,6 @@
 """What every acceptance needs: running programs, mapping folders, and lines that hold or fall."""
 
+import hashlib
 import json
 import os
 import pathlib
@@ -9,12 +10,15 @@ import subprocess
 import time
 from typing import Callable, NamedTuple
 
+import yaml
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 BUILD = pathlib.Path(os.environ.get("ROVIO_SFM_BUILD", ROOT / "build"))
 DEVEL = (ROOT if BUILD == ROOT / "build" else BUILD) / "devel"
 PROGRAMS = DEVEL / "lib/rovio_sfm"
 DATA = pathlib.Path(os.environ.get("ROVIO_SFM_DATA", ROOT / "../shared/data")).resolve()
 WORK = ROOT / "out/accept"  # everything written here may be deleted
+THREADS = 2  # of the machine that the acceptance speaks of; they change no result
 
 
 class Skipped(Exception):
@@ -56,19 +60,56 @@ def fresh_folder(name):
 def map_images(name, folders, *options):
     """Maps folders into out/accept/NAME and returns summary.json."""
     out = fresh_folder(name)
-    run(ROOT / "scripts/map_images", *folders, "--out", out, *options)
+    run(ROOT / "scripts/map_images", *folders, "--out", out, "--threads", THREADS, *options)
     return json.loads((out / "summary.json").read_text())
 
 
+NOISE = 10  # grey levels; tours are rendered with it and, in the same pass, without
+
+
 def render_tour(tour, noise, seed, max_frames=0):
-    """Renders a tour of the simulator; kept, and used again if it is there."""
-    folder = WORK / f"tours/{tour}_noise{noise}_seed{seed}_frames{max_frames or 'all'}"
-    if not (folder / "groundtruth.txt").exists():
+    """The folder of a rendered tour; rendered, with and without noise in one pass, unless a render
+    of the same program, world, tour and options is there."""
+    if noise not in (0, NOISE):
+        raise ValueError(f"tours are rendered with noise 0 and {NOISE}")
+    folders = {n: WORK / f"tours/{tour}_noise{n}_seed{seed}_frames{max_frames or 'all'}" for n in (NOISE, 0)}
+    wanted = render_fingerprint(tour, seed, max_frames)
+    if any(fingerprint_of(folder) != wanted for folder in folders.values()):
+        render_into(folders, wanted, tour, seed, max_frames)
+    return folders[noise]
+
+
+def render_fingerprint(tour, seed, max_frames):
+    """Of everything that a render depends on."""
+    spec_file = ROOT / f"config/tours/{tour}.yaml"
+    spec = yaml.safe_load(spec_file.read_text())
+    sharing = [ROOT / f"config/tours/{name}.yaml" for name in spec.get("shares_with", [])]
+    digest = hashlib.sha256(f"{tour} {NOISE} {seed} {max_frames}".encode())
+    for path in (PROGRAMS / "rovio_sim", spec_file, ROOT / f"config/worlds/{spec['world']}.yaml", *sharing):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()
+
+
+def fingerprint_of(folder):
+    path = folder / "fingerprint"
+    return path.read_text() if path.exists() else None
+
+
+def render_into(folders, fingerprint, tour, seed, max_frames):
+    """Renders beside the folders, then puts the new ones into their place: others may be reading."""
+    fresh = {noise: folder.with_name(f".{folder.name}.{os.getpid()}") for noise, folder in folders.items()}
+    for folder in fresh.values():
         shutil.rmtree(folder, ignore_errors=True)
         folder.parent.mkdir(parents=True, exist_ok=True)
-        run(PROGRAMS / "rovio_sim", "--render", tour, "--out", folder, "--noise", noise, "--seed", seed,
-            "--frames", max_frames, "--threads", os.cpu_count() or 1)
-    return folder
+    run(PROGRAMS / "rovio_sim", "--render", tour, "--out", fresh[NOISE], "--clean-out", fresh[0],
+        "--noise", NOISE, "--seed", seed, "--frames", max_frames, "--threads", THREADS)
+    for noise, folder in folders.items():
+        (fresh[noise] / "fingerprint").write_text(fingerprint)
+        stale = folder.with_name(f".{folder.name}.{os.getpid()}.stale")
+        if folder.exists():
+            folder.rename(stale)
+        fresh[noise].rename(folder)
+        shutil.rmtree(stale, ignore_errors=True)
 
 
 def free_port():
