@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kStepPeriodS = 0.05;
 constexpr double kFirstFrameS = 5.0;  // the first frame may have come before this node listened
+constexpr double kStirS = 0.3;        // a turn so long is noticed, and soon undone
 constexpr double kDegree = M_PI / 180.0;
 
 void ReadDegrees(OptionReader* reader, const std::string& name, double* value_rad) {
@@ -59,6 +60,10 @@ bool DriveTourOptions::IsValid(std::string* error) const {
     *error = "time-outs and max_odom_age_s must be 0.1 … 3600 s";
     return false;
   }
+  if (max_looks < 1 || max_looks > 100) {
+    *error = "max_looks must be 1 … 100";
+    return false;
+  }
   return steer.IsValid(error);
 }
 
@@ -68,6 +73,7 @@ DriveTourOptions LoadDriveTourOptions(const YAML::Node& parameters) {
   reader.Read("tour", &options.tour);
   options.look = ReadLook(&reader);
   reader.Read("look_timeout_s", &options.look_timeout_s);
+  reader.Read("max_looks", &options.max_looks);
   reader.Read("ready_timeout_s", &options.ready_timeout_s);
   reader.Read("stop_timeout_s", &options.stop_timeout_s);
   reader.Read("max_odom_age_s", &options.max_odom_age_s);
@@ -125,6 +131,8 @@ void DriveTourNode::Step() {
       return Drive();
     case Phase::kLooking:
       return Look();
+    case Phase::kStirring:
+      return Stir();
   }
 }
 
@@ -171,11 +179,23 @@ void DriveTourNode::Drive() {
 
 void DriveTourNode::Look() {
   const bool has_seen = options_.look == TourLook::kNothing || last_picture_ > stopped_;
-  if (!has_seen && SecondsInPhase() < options_.look_timeout_s) return;
-  if (!has_seen) {
-    ++num_missed_;
-    ROS_WARN("no picture at stop %zu", next_stop_);
-  }
+  if (has_seen) return GoOn();
+  if (SecondsInPhase() < options_.look_timeout_s) return;
+  ROS_WARN("no picture at stop %zu", next_stop_);
+  if (++num_looks_ < options_.max_looks) return EnterPhase(Phase::kStirring);
+  ++num_missed_;
+  GoOn();
+}
+
+void DriveTourNode::Stir() {
+  if (SecondsInPhase() > kStirS) return EnterPhase(Phase::kDriving);
+  geometry_msgs::Twist twist;
+  twist.angular.z = options_.steer.min_turn_rad_per_s;
+  twist_.publish(twist);
+}
+
+void DriveTourNode::GoOn() {
+  num_looks_ = 0;
   ++next_stop_;
   ROS_INFO_THROTTLE(10, "stop %zu of %zu", next_stop_, stops_.size());
   EnterPhase(Phase::kDriving);

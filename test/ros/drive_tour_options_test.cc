@@ -23,6 +23,7 @@ TEST(LoadDriveTourOptions, TheShippedFileHoldsTheDefaults) {
   const DriveTourOptions defaults;
   EXPECT_EQ(loaded.look, defaults.look);
   EXPECT_EQ(loaded.look_timeout_s, defaults.look_timeout_s);
+  EXPECT_EQ(loaded.max_looks, defaults.max_looks);
   EXPECT_EQ(loaded.stop_timeout_s, defaults.stop_timeout_s);
   EXPECT_EQ(loaded.steer.position_tolerance_m, defaults.steer.position_tolerance_m);
   EXPECT_EQ(loaded.steer.max_turn_rad_per_s, defaults.steer.max_turn_rad_per_s);
@@ -35,6 +36,7 @@ TEST(LoadDriveTourOptions, SaysWhatIsWrong) {
   EXPECT_EQ(ErrorOf("{tour: x, lok: image}"), "drive_tour.lok: unknown option");
   EXPECT_EQ(ErrorOf("{tour: x, look: away}"),
             "drive_tour.look: expected one of nothing image frame");
+  EXPECT_EQ(ErrorOf("{tour: x, max_looks: 0}"), "drive_tour: max_looks must be 1 … 100");
   EXPECT_EQ(ErrorOf("{tour: x, look_timeout_s: 0}"),
             "drive_tour: time-outs and max_odom_age_s must be 0.1 … 3600 s");
 }

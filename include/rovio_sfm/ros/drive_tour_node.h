@@ -22,7 +22,8 @@ enum class TourLook { kNothing, kImage, kFrame };
 struct DriveTourOptions {
   std::string tour;                  // path of the YAML file
   TourLook look = TourLook::kImage;  // kImage: a camera_info after the stop; kFrame: its FrameEvent
-  double look_timeout_s = 15.0;      // then the tour goes on, one picture short
+  double look_timeout_s = 15.0;      // then it moves a little, and looks again
+  int max_looks = 4;                 // at one stop; then the tour goes on, one picture short
   double ready_timeout_s = 60.0;     // to find odometry, a driver and a first picture
   double stop_timeout_s = 20.0;      // to reach one stop; then it looks from where it is
   double max_odom_age_s = 1.0;       // older odometry: it stands and waits
@@ -35,8 +36,9 @@ struct DriveTourOptions {
 // names the parameter.
 DriveTourOptions LoadDriveTourOptions(const YAML::Node& parameters);
 
-// Drives a tour through cmd_vel with odometry as its feedback: to each stop, stand, look. All in
-// callbacks of one thread; ends ROS when it is done.
+// Drives a tour through cmd_vel with odometry as its feedback: to each stop, stand, look. Where no
+// picture comes it turns a little and drives to the stop once more: a driver that takes one picture
+// per stop then takes another. All in callbacks of one thread; ends ROS when it is done.
 class DriveTourNode {
  public:
   DriveTourNode(const ros::NodeHandle& handle, const DriveTourOptions& options);
@@ -45,7 +47,7 @@ class DriveTourNode {
   bool HasSucceeded() const { return has_finished_ && num_missed_ == 0; }
 
  private:
-  enum class Phase { kStarting, kDriving, kLooking };
+  enum class Phase { kStarting, kDriving, kLooking, kStirring };
 
   void OnOdometry(const nav_msgs::Odometry& odometry);
   void NotePicture(const ros::Time& stamp);
@@ -53,6 +55,8 @@ class DriveTourNode {
   void Start();
   void Drive();
   void Look();
+  void Stir();
+  void GoOn();
   void EnterPhase(Phase phase);
   void Stand();
   void Finish(bool has_finished, const std::string& message);
@@ -74,6 +78,7 @@ class DriveTourNode {
   PlanarPose origin_;                  // where the tour began, in odom
   uint64_t num_published_ = 0;         // images, as the driver counts them
   size_t next_stop_ = 0;
+  int num_looks_ = 0;  // at this stop, in vain
   size_t num_missed_ = 0;
   bool has_finished_ = false;
 };
