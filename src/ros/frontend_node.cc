@@ -10,6 +10,7 @@
 #include "rovio_sfm/ros/draw_matches.h"
 #include "rovio_sfm/ros/frame_event_message.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/check.h"
 
 namespace rovio_sfm {
 namespace {
@@ -17,6 +18,7 @@ namespace {
 constexpr size_t kHistoryEvents = 100;
 constexpr size_t kHistoryBytes = 100u << 20;
 constexpr double kWarnPeriodS = 10.0;
+constexpr uint32_t kAtStart = ~0u;  // dynamic_reconfigure's level of its first call
 
 double SteadySeconds() { return ros::SteadyTime::now().toSec(); }
 
@@ -30,6 +32,7 @@ void PublishImage(const cv::Mat& bgr, const std_msgs::Header& header,
 FrontendNode::FrontendNode(const FrontendNodeOptions& options, uint32_t nonce, ros::NodeHandle node,
                            ros::NodeHandle private_node)
     : options_(options),
+      frontend_options_(std::make_shared<const FrontendOptions>(options.frontend)),
       node_(node),
       transform_listener_(transforms_),
       sensors_(options.sensors, &transforms_),
@@ -37,10 +40,12 @@ FrontendNode::FrontendNode(const FrontendNodeOptions& options, uint32_t nonce, r
       history_(kHistoryEvents, kHistoryBytes),
       frontend_(options.frontend, options.robot, options.seed, nonce),
       diagnostics_(node, private_node),
-      worker_(kImageQueue, WhenFull::kDropOldest,
-              [this](ImageEvent image) { Handle(std::move(image)); }) {
+      thresholds_(thresholds_mutex_, ros::NodeHandle(private_node, topics::kThresholds)),
+      worker_(kImageQueue, WhenFull::kDropOldest, [this](const Job& job) { Handle(job); }) {
   diagnostics_.setHardwareID(options_.robot);
   diagnostics_.add("images to frames", this, &FrontendNode::Diagnose);
+  thresholds_.setCallback(
+      [this](FrontendThresholdsConfig& t, uint32_t level) { OnThresholds(t, level); });
   Advertise();
   Subscribe();
 }
@@ -101,6 +106,18 @@ void FrontendNode::OnOdometry(const nav_msgs::Odometry::ConstPtr& message) {
   ReleaseImages();
 }
 
+void FrontendNode::OnThresholds(FrontendThresholdsConfig& thresholds, uint32_t level) {
+  FrontendOptions next = WithThresholds(*frontend_options_, thresholds);
+  std::string error;
+  if (level == kAtStart || !MayFollow(*frontend_options_, next, &error)) {
+    if (!error.empty()) ROS_WARN_STREAM("thresholds refused, the old ones stay: " << error);
+    thresholds = ThresholdsOf(*frontend_options_);
+    return;
+  }
+  frontend_options_ = std::make_shared<const FrontendOptions>(std::move(next));
+  ROS_INFO("new thresholds from the next image on");
+}
+
 void FrontendNode::Tick() {
   ReleaseImages();
   diagnostics_.update();
@@ -108,7 +125,7 @@ void FrontendNode::Tick() {
 
 void FrontendNode::ReleaseImages() {
   while (std::optional<ImageEvent> image = gate_.Take(SteadySeconds())) {
-    worker_.Push(std::move(*image));
+    worker_.Push({std::move(*image), frontend_options_});
   }
 }
 
@@ -146,9 +163,11 @@ void FrontendNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status)
   status.add("last image took ms", 1e3 * progress.last_duration_s);
 }
 
-void FrontendNode::Handle(ImageEvent image) {
+void FrontendNode::Handle(const Job& job) {
   const double start_s = SteadySeconds();
-  const PreparedImage prepared = PrepareImage(image, options_.frontend);
+  std::string error;
+  ROVIO_CHECK(frontend_.SetOptions(*job.options, &error), error);
+  const PreparedImage prepared = PrepareImage(job.image, *job.options);
   const std::optional<FrameEvent> event = frontend_.Add(prepared);
   if (event) Publish(*event, prepared);
   NoteProgress(event, SteadySeconds() - start_s);
@@ -176,7 +195,7 @@ void FrontendNode::PublishMatches(const FrameEvent& event, const cv::Mat& bgr) {
   std_msgs::Header header;
   header.stamp = ToTime(event.stamp_ns);
   PublishImage(DrawMatches(drawn_->bgr, *drawn_->event.features, bgr, *event.features,
-                           event.pairs.front(), options_.frontend.pair),
+                           event.pairs.front(), frontend_.options().pair),
                header, matches_);
 }
 

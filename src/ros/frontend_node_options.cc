@@ -43,6 +43,7 @@ FrontendNodeOptions LoadFrontendNodeOptions(const YAML::Node& parameters,
   ReadOptions(&sensors, &options.sensors);
   OptionReader frontend = reader.Group("frontend");
   ReadOptions(&frontend, &options.frontend);
+  reader.Group("thresholds");  // what dynamic_reconfigure left there; stands again in "frontend"
   reader.RefuseUnknown();
   RequireValid(options);
   if (options.sensors.base_frame.empty()) options.sensors.base_frame = options.robot + "/base_link";

@@ -5,52 +5,16 @@ import os
 import sys
 import unittest
 
-import cv2
-import numpy
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
-from nav_msgs.msg import Odometry
 from rovio_sfm.msg import FrameEventMsg, MapStatus, Status
 from rovio_sfm.srv import ExportMap, FinishSession, GetFrames, ListSessions, Reset, StartSession
-from sensor_msgs.msg import CameraInfo, CompressedImage
+from sensor_msgs.msg import CompressedImage
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from driver_fixture import Collector, wait_until
-
-WAIT_S = 60.0  # sanitizers and busy machines take their time
-
-
-class Robot:
-    """Publishes what a driver would: pictures, calibration and odometry."""
-
-    def __init__(self, name):
-        self.image = rospy.Publisher("/%s/image_raw/compressed" % name, CompressedImage, queue_size=5)
-        self.info = rospy.Publisher("/%s/camera_info" % name, CameraInfo, queue_size=5)
-        self.odom = rospy.Publisher("/%s/odom" % name, Odometry, queue_size=5)
-        random = numpy.random.RandomState(1)
-        small = random.randint(0, 255, (90, 120, 3), dtype=numpy.uint8)
-        self.scene = cv2.resize(small, (960, 720), interpolation=cv2.INTER_CUBIC)
-
-    def wait_until_heard(self):
-        publishers = (self.image, self.info, self.odom)
-        return wait_until(lambda: all(p.get_num_connections() > 0 for p in publishers), WAIT_S)
-
-    def send(self, shift_px):
-        stamp = rospy.Time.now()
-        info = CameraInfo(width=640, height=480, distortion_model="plumb_bob", D=[0.0] * 5)
-        info.K = [500.0, 0, 320.0, 0, 500.0, 240.0, 0, 0, 1.0]
-        info.header.stamp = stamp
-        info.header.frame_id = "rovio1/camera_optical"
-        odom = Odometry()
-        odom.header.stamp = stamp
-        odom.pose.pose.orientation.w = 1.0
-        image = CompressedImage(header=info.header, format="jpeg")
-        picture = self.scene[100:580, shift_px:shift_px + 640]
-        image.data = cv2.imencode(".jpg", picture)[1].tobytes()
-        self.info.publish(info)
-        self.odom.publish(odom)
-        self.image.publish(image)
+from robot_images import Robot, WAIT_S
 
 
 class MappingNodeTest(unittest.TestCase):
@@ -67,12 +31,7 @@ class MappingNodeTest(unittest.TestCase):
         return rospy.ServiceProxy(name, kind)(*arguments)
 
     def next_frame(self, shift_px):
-        count = self.frames.count()
-        for _ in range(int(WAIT_S / 2)):
-            self.robot.send(shift_px)
-            if self.frames.grows_by(1, 2.0):
-                return self.frames.messages[count]
-        return self.fail("no frame event came")
+        return self.robot.send_until_frame(self.frames, shift_px)
 
     def test_image_becomes_a_frame_with_odometry(self):
         frame = self.next_frame(0)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
+#include <dynamic_reconfigure/server.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CameraInfo.h>
@@ -14,6 +15,7 @@
 #include "rovio_sfm/pipeline/frontend.h"
 #include "rovio_sfm/ros/event_history.h"
 #include "rovio_sfm/ros/frontend_node_options.h"
+#include "rovio_sfm/ros/frontend_thresholds.h"
 #include "rovio_sfm/ros/image_gate.h"
 #include "rovio_sfm/ros/robot_sensors.h"
 #include "rovio_sfm/util/mutex.h"
@@ -22,7 +24,8 @@
 namespace rovio_sfm {
 
 // One robot's images in, frame events out. Callbacks (one thread) put image, odometry and head pose
-// together and push; the worker thread decodes, extracts, matches and publishes.
+// together and push; the worker thread decodes, extracts, matches and publishes. Every image
+// carries the options it is to be handled with, so that a change has its place between two images.
 class FrontendNode {
  public:
   // `nonce` tells this frontend's drives from those of its last start.
@@ -44,6 +47,10 @@ class FrontendNode {
     uint64_t num_with_odometry = 0;
     double last_duration_s = 0.0;
   };
+  struct Job {
+    ImageEvent image;
+    std::shared_ptr<const FrontendOptions> options;
+  };
   // The last keyframe, for drawing.
   struct Drawn {
     FrameEvent event;
@@ -57,16 +64,18 @@ class FrontendNode {
   void OnImage(const boost::shared_ptr<const Message>& message);
   void OnCameraInfo(const sensor_msgs::CameraInfo::ConstPtr& message);
   void OnOdometry(const nav_msgs::Odometry::ConstPtr& message);
+  void OnThresholds(FrontendThresholdsConfig& thresholds, uint32_t level);
   void ReleaseImages();
   bool GetFrames(GetFramesRequest& request, GetFramesResponse& response);
   void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
-  void Handle(ImageEvent image);  // worker thread, as the rest
+  void Handle(const Job& job);  // worker thread, as the rest
   void Publish(const FrameEvent& event, const PreparedImage& image);
   void PublishMatches(const FrameEvent& event, const cv::Mat& bgr);
   void NoteProgress(const std::optional<FrameEvent>& event, double duration_s);
 
-  const FrontendNodeOptions options_;
+  const FrontendNodeOptions options_;                        // as at the start
+  std::shared_ptr<const FrontendOptions> frontend_options_;  // of the images to come
   ros::NodeHandle node_;
   tf2_ros::Buffer transforms_;
   tf2_ros::TransformListener transform_listener_;
@@ -84,7 +93,9 @@ class FrontendNode {
   ros::Subscriber image_subscriber_, info_subscriber_, odom_subscriber_;
   ros::ServiceServer get_frames_;
   diagnostic_updater::Updater diagnostics_;
-  Worker<ImageEvent> worker_;  // last: its thread uses the others
+  boost::recursive_mutex thresholds_mutex_;  // of the server, which wants one
+  dynamic_reconfigure::Server<FrontendThresholdsConfig> thresholds_;
+  Worker<Job> worker_;  // last: its thread uses the others
 };
 
 }  // namespace rovio_sfm

@@ -29,6 +29,7 @@ inline constexpr char kFrames[] = "frames";               // FrameEventMsg
 inline constexpr char kPreview[] = "image";               // sensor_msgs/Image, decoded
 inline constexpr char kDebugMatches[] = "debug/matches";  // sensor_msgs/Image, the filters drawn
 inline constexpr char kGetFrames[] = "get_frames";        // service GetFrames
+inline constexpr char kThresholds[] = "thresholds";  // private: dynamic_reconfigure's parameters
 inline constexpr uint32_t kFramesQueue = 1000;
 inline constexpr uint32_t kPreviewQueue = 1;
 
