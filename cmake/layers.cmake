@@ -34,6 +34,7 @@ rovio_library(pipeline LINKS rovio_features rovio_matching rovio_tracks rovio_sf
                              rovio_sessions rovio_io TEST_LINKS rovio_synthetic)
 rovio_library(tools    LINKS rovio_pipeline rovio_io CLI11::CLI11 nlohmann_json::nlohmann_json
                        TEST_LINKS rovio_synthetic)
+target_compile_definitions(rovio_tools PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 if(ROVIO_WITH_ROS)
   rovio_library(ros    LINKS rovio_tools rovio_pipeline rovio_rovio rovio_io ${catkin_LIBRARIES}
                        TEST_LINKS rovio_synthetic)

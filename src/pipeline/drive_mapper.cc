@@ -8,6 +8,7 @@
 #include "rovio_sfm/pipeline/make_keyframe.h"
 #include "rovio_sfm/pipeline/register_frame.h"
 #include "rovio_sfm/pipeline/search_landmarks.h"
+#include "rovio_sfm/pipeline/seed_session.h"
 #include "rovio_sfm/pipeline/start_session.h"
 #include "rovio_sfm/pipeline/update_scale.h"
 #include "rovio_sfm/pipeline/weak_pose.h"
@@ -82,16 +83,44 @@ void DriveMapper::Hold(const FrameEvent& event, MapperReport* report) {
 }
 
 bool DriveMapper::Start(const BootstrapPair& pair) {
+  const uint32_t first = held_[pair.first].id.index;
   if (!StartSession(pair, held_, context_.options, &current())) return false;
+  EnterMap(first);
+  return true;
+}
+
+bool DriveMapper::Seed(const std::vector<PlaceMatch>& matches, const SessionTable& sessions) {
+  if (current().state() != SessionState::kBootstrapping) return false;
+  if (!SeedSession(held_, matches, sessions, context_.options, &current())) return false;
+  EnterMap(current().keyframes().begin()->first);
+  return true;
+}
+
+// The session has its first frames: the other held ones follow, forward from the first, then back.
+void DriveMapper::EnterMap(uint32_t first_index) {
   current().set_state(SessionState::kMapping);
-  counters_.keyframes += 2;
+  counters_.keyframes += current().keyframes().size();
   const std::deque<FrameEvent> held = std::exchange(held_, {});
-  for (size_t i = pair.first + 1; i < held.size(); ++i) InsertHeld(held[i]);
-  for (size_t i = pair.first; i-- > 0;) InsertHeld(held[i]);
+  for (const FrameEvent& event : held) {
+    if (event.id.index > first_index) InsertHeld(event);
+  }
+  for (auto event = held.rbegin(); event != held.rend(); ++event) {
+    if (event->id.index < first_index) InsertHeld(*event);
+  }
   AdjustFinally(context_.options, &current());
   last_pose_ = current().keyframes().rbegin()->second.cam_from_session;
   PoseWaitingLightFrames();
-  return true;
+}
+
+bool DriveMapper::HoldsFrames(int min_count) const {
+  return sessions_.back()->state() == SessionState::kBootstrapping &&
+         held_.size() >= static_cast<size_t>(min_count);
+}
+
+void DriveMapper::OnSessionChanged(SessionId id) {
+  if (!(current().id() == id) || current().keyframes().empty()) return;
+  global_.Abandon();
+  if (last_pose_) last_pose_ = current().keyframes().rbegin()->second.cam_from_session;
 }
 
 void DriveMapper::InsertHeld(const FrameEvent& event) {

@@ -69,6 +69,7 @@ bool MapperOptions::IsValid(std::string* error) const {
   checker.Nested(prune);
   checker.Nested(scale);
   checker.Nested(f2);
+  checker.Nested(merge);
   checker.Range("max_weak_frames", max_weak_frames, 0, 100);
   checker.Range("pixel_sigma_px", pixel_sigma_px, 0.1, 20.0);
   checker.Range("sigma_size_px", sigma_size_px, 1.0, 100.0);

@@ -29,16 +29,19 @@ bool OfflineMapperOptions::IsValid(std::string* error) const {
   OptionChecker checker("offline_mapper", error);
   checker.Nested(frontend);
   checker.Nested(mapper);
+  checker.Nested(places);
   checker.Range("num_threads", num_threads, 1, 64);
   return checker.Passed();
 }
 
-OfflineMapper::OfflineMapper(const OfflineMapperOptions& options, StageTimes* times)
+OfflineMapper::OfflineMapper(const OfflineMapperOptions& options,
+                             std::shared_ptr<const PlaceModel> place_model, StageTimes* times)
     : options_(options),
       times_(times),
       adjust_executor_(options.num_threads > 1 ? 1 : 0),
       prepare_executor_(options.num_threads - 1),
       mapper_(options.mapper, &store_, &adjust_executor_, times) {
+  if (place_model) recognizer_.emplace(options.places, std::move(place_model), &store_, times);
   if (options.num_threads == 1) return;
   mapping_ = std::make_unique<Worker<FrameEvent>>(kMappingQueue, WhenFull::kBlock,
                                                   [this](const FrameEvent& event) { Map(event); });
@@ -65,6 +68,7 @@ void OfflineMapper::TakeOldest() {
   prepared_.pop_front();
   std::optional<FrameEvent> event = frontend_->Add(image);
   if (!event) return;
+  AddToFunnel(*event, &funnel_);
   if (mapping_) {
     mapping_->Push(std::move(*event));
   } else {
@@ -72,7 +76,11 @@ void OfflineMapper::TakeOldest() {
   }
 }
 
-void OfflineMapper::Map(const FrameEvent& event) { mapper_.Add(event); }
+void OfflineMapper::Map(const FrameEvent& event) {
+  mapper_.Add(event);
+  if (!recognizer_) return;
+  for (const PlaceMatch& match : recognizer_->Add(event)) mapper_.Add(match);
+}
 
 void OfflineMapper::FinishDrive() {
   if (!frontend_) return;

@@ -65,6 +65,7 @@ void ReadF2(OptionReader reader, FilterF2Options* options) {
 }  // namespace
 
 void ReadOptions(OptionReader* reader, MapperOptions* options) {
+  OptionReader merge = reader->Group("merge");
   ReadBootstrap(reader->Group("bootstrap"), &options->bootstrap);
   ReadResect(reader->Group("resect"), &options->resect);
   ReadTriangulate(reader->Group("triangulate"), &options->triangulate);
@@ -72,6 +73,7 @@ void ReadOptions(OptionReader* reader, MapperOptions* options) {
   ReadPrune(reader->Group("prune"), &options->prune);
   ReadScale(reader->Group("scale"), &options->scale);
   ReadF2(reader->Group("f2"), &options->f2);
+  ReadOptions(&merge, &options->merge);
   reader->Read("max_weak_frames", &options->max_weak_frames);
   reader->Read("pixel_sigma_px", &options->pixel_sigma_px);
   reader->Read("sigma_size_px", &options->sigma_size_px);

@@ -9,24 +9,20 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "rovio_sfm/pipeline/offline_mapper.h"
 #include "rovio_sfm/ros/bag_images.h"
 #include "rovio_sfm/ros/load_options.h"
+#include "rovio_sfm/tools/command_arguments.h"
+#include "rovio_sfm/tools/place_model_option.h"
 #include "rovio_sfm/tools/progress_bar.h"
 #include "rovio_sfm/tools/write_map_files.h"
 
 namespace rovio_sfm {
 namespace {
 
-struct Arguments {
+struct Arguments : MappingArguments {
   std::vector<std::string> bags;
-  std::string out;
   std::string frontend_file, mapper_file;
-  std::string mode;
-  int features = 0;
-  bool overwrite = false;
   SensorOptions sensors;
-  OfflineMapperOptions mapper;
 };
 
 double SteadySeconds() {
@@ -35,20 +31,13 @@ double SteadySeconds() {
 
 void Declare(Arguments* arguments, CLI::App* app) {
   app->add_option("bags", arguments->bags, "bags; each robot of each is a drive")->required();
-  app->add_option("--out", arguments->out, "folder for the results")->required();
   app->add_option("--frontend", arguments->frontend_file, "YAML as config/frontend.yaml");
   app->add_option("--mapper", arguments->mapper_file, "YAML as config/mapping.yaml");
-  app->add_option("--mode", arguments->mode, "every: stills; parallax: video")
-      ->check(CLI::IsMember({"every", "parallax"}));
-  app->add_option("--features", arguments->features, "most features of an image")
-      ->check(CLI::Range(16, 20000));
-  app->add_option("--threads", arguments->mapper.num_threads, "never changes the result");
-  app->add_option("--seed", arguments->mapper.seed, "of everything random");
   app->add_option("--image-latency", arguments->sensors.image_latency_s,
                   "an image was taken so long before its stamp, s");
   app->add_option("--odom-latency", arguments->sensors.odom_latency_s,
                   "so was an odometry sample, s");
-  app->add_flag("--overwrite", arguments->overwrite, "replace the results of an earlier run");
+  DeclareMappingArguments(app, arguments);
 }
 
 template <typename Options>
@@ -66,30 +55,14 @@ void LoadFile(const std::string& path, Options* options) {
 void CompleteOptions(Arguments* arguments) {
   LoadFile(arguments->frontend_file, &arguments->mapper.frontend);
   LoadFile(arguments->mapper_file, &arguments->mapper.mapper);
-  ChooseOptions& choose = arguments->mapper.frontend.choose;
-  if (arguments->mode == "every") choose.mode = KeyframeMode::kEvery;
-  if (arguments->mode == "parallax") choose.mode = KeyframeMode::kParallax;
-  if (arguments->features > 0) {
-    arguments->mapper.frontend.extract.max_features = arguments->features;
-  }
-  arguments->mapper.mapper.seed = arguments->mapper.seed;
-  RequireValid(arguments->mapper);
+  CompleteMappingArguments(arguments);
   RequireValid(arguments->sensors);
-}
-
-// Cheap now, vexing after an hour's work.
-void PrepareFolder(const Arguments& arguments) {
-  const std::filesystem::path cloud = std::filesystem::path(arguments.out) / "cloud.ply";
-  if (!arguments.overwrite && std::filesystem::exists(cloud)) {
-    throw std::runtime_error(cloud.string() + " exists; give --overwrite to replace it");
-  }
-  std::filesystem::create_directories(arguments.out);
 }
 
 std::shared_ptr<const MapSnapshot> MapBags(const Arguments& arguments, std::ostream& out,
                                            std::ostream& progress) {
   std::vector<std::filesystem::path> paths(arguments.bags.begin(), arguments.bags.end());
-  OfflineMapper mapper(arguments.mapper, nullptr);
+  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), nullptr);
   for (const BagDrive& drive : FindDrives(paths)) {
     BagImages images(drive, arguments.sensors);
     ProgressBar bar(images.Count(), &progress);
@@ -115,14 +88,10 @@ int ReplayCommand(int argc, const char* const* argv, std::ostream& out, std::ost
   CLI::App app("Maps bags of image_raw/compressed, camera_info, odom and tf, without a ROS master");
   Arguments arguments;
   Declare(&arguments, &app);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error, out, out);
-  }
+  if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
   cv::setNumThreads(1);  // the threads are ours
   CompleteOptions(&arguments);
-  PrepareFolder(arguments);
+  PrepareResultFolder(arguments, "cloud.ply");
   const std::shared_ptr<const MapSnapshot> snapshot = MapBags(arguments, out, progress);
   const std::optional<LevelMap> map = FindLargestMap(*snapshot);
   if (!map) throw std::runtime_error("no session could start: nothing to write");

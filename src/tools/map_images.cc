@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <ostream>
-#include <stdexcept>
 
 #include "rovio_sfm/io/dataset_folder.h"
 #include "rovio_sfm/io/text_file.h"
-#include "rovio_sfm/pipeline/offline_mapper.h"
+#include "rovio_sfm/tools/command_arguments.h"
 #include "rovio_sfm/tools/map_summary.h"
+#include "rovio_sfm/tools/place_model_option.h"
 #include "rovio_sfm/tools/write_map_files.h"
 
 namespace rovio_sfm {
@@ -18,14 +18,10 @@ namespace {
 
 constexpr uintmax_t kMaxImageBytes = 64u << 20;
 
-struct Arguments {
+struct Arguments : MappingArguments {
   std::vector<std::string> folders;
-  std::string out;
   size_t stride = 1;
-  std::string mode = "every";
   bool without_odometry = false;
-  bool overwrite = false;
-  OfflineMapperOptions mapper;
 };
 
 int64_t SteadyNs() {
@@ -36,30 +32,10 @@ int64_t SteadyNs() {
 
 void Declare(Arguments* arguments, CLI::App* app) {
   app->add_option("folders", arguments->folders, "folders of images, each one a drive")->required();
-  app->add_option("--out", arguments->out, "folder for the results")->required();
   app->add_option("--stride", arguments->stride, "use every N-th image")
       ->check(CLI::Range(1, 1000000));
-  app->add_option("--mode", arguments->mode, "every: stills; parallax: video")
-      ->check(CLI::IsMember({"every", "parallax"}));
-  app->add_option("--features", arguments->mapper.frontend.extract.max_features,
-                  "most features of an image");
-  app->add_option("--threads", arguments->mapper.num_threads, "never changes the result");
-  app->add_option("--seed", arguments->mapper.seed, "of everything random");
   app->add_flag("--without-odometry", arguments->without_odometry, "map from the images alone");
-  app->add_flag("--overwrite", arguments->overwrite, "replace the results of an earlier run");
-}
-
-void CheckArguments(Arguments* arguments) {
-  arguments->mapper.frontend.choose.mode =
-      arguments->mode == "every" ? KeyframeMode::kEvery : KeyframeMode::kParallax;
-  arguments->mapper.mapper.seed = arguments->mapper.seed;
-  std::string error;
-  if (!arguments->mapper.IsValid(&error)) throw std::runtime_error(error);
-  const std::filesystem::path summary = std::filesystem::path(arguments->out) / "summary.json";
-  if (std::filesystem::exists(summary) && !arguments->overwrite) {
-    throw std::runtime_error(summary.string() + " exists; give --overwrite to replace it");
-  }
-  std::filesystem::create_directories(arguments->out);
+  DeclareMappingArguments(app, arguments);
 }
 
 std::vector<DatasetFolder> ReadFolders(const Arguments& arguments) {
@@ -86,7 +62,7 @@ MapRun MapFolders(const std::vector<DatasetFolder>& datasets, const Arguments& a
   const int64_t start_ns = SteadyNs();
   MapRun run;
   StageTimes times(SteadyNs);
-  OfflineMapper mapper(arguments.mapper, &times);
+  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), &times);
   for (size_t i = 0; i < datasets.size(); ++i) {
     const std::string robot = "folder_" + std::to_string(i);
     mapper.StartDrive(robot);
@@ -98,7 +74,9 @@ MapRun MapFolders(const std::vector<DatasetFolder>& datasets, const Arguments& a
   }
   run.snapshot = mapper.Finish();
   run.frontend = mapper.frontend_counters();
+  run.funnel = mapper.matching_funnel();
   run.mapper = mapper.mapper_counters();
+  run.merges = mapper.merge_reports();
   run.stages = times.totals();
   run.wall_s = 1e-9 * static_cast<double>(SteadyNs() - start_ns);
   run.peak_rss_mb = PeakRssMb();
@@ -130,14 +108,12 @@ void WriteResults(const MapRun& run, const Arguments& arguments, std::ostream& o
 int MapImagesCommand(int argc, const char* const* argv, std::ostream& out) {
   CLI::App app("Maps folders of images (data-set layout), each one as a drive, without ROS");
   Arguments arguments;
+  arguments.mode = "every";
   Declare(&arguments, &app);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error, out, out);
-  }
+  if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
   cv::setNumThreads(1);  // the threads are ours
-  CheckArguments(&arguments);
+  CompleteMappingArguments(&arguments);
+  PrepareResultFolder(arguments, "summary.json");
   const MapRun run = MapFolders(ReadFolders(arguments), arguments);
   WriteResults(run, arguments, out);
   return 0;

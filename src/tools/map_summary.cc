@@ -11,6 +11,7 @@
 #include "rovio_sfm/pipeline/level_map.h"
 #include "rovio_sfm/pipeline/map_statistics.h"
 #include "rovio_sfm/tools/evaluation_json.h"
+#include "rovio_sfm/tools/merges_json.h"
 
 namespace rovio_sfm {
 namespace {
@@ -100,6 +101,22 @@ void AddCosts(const MapRun& run, Json* json) {
   (*json)["peak_rss_mb"] = run.peak_rss_mb;
 }
 
+// Of the features of a neighbouring pair's later image, the shares that each filter leaves.
+Json FunnelJson(const MatchingFunnel& funnel) {
+  if (funnel.features == 0) return Json();
+  const auto share = [&funnel](uint64_t count) {
+    return static_cast<double>(count) / static_cast<double>(funnel.features);
+  };
+  return {
+      {"pairs", funnel.pairs},
+      {"mean_features", static_cast<double>(funnel.features) / static_cast<double>(funnel.pairs)},
+      {"ratio_share", share(funnel.ratio)},
+      {"percentile_share", share(funnel.percentile)},
+      {"one_to_one_share", share(funnel.one_to_one)},
+      {"ransac_share", share(funnel.ransac)},
+      {"guided_share", share(funnel.guided)}};
+}
+
 Json MapperJson(const MapperCounters& counters) {
   return {{"weak_frames", counters.weak_frames},
           {"refused_events", counters.refused_events},
@@ -116,7 +133,9 @@ Json MapSummaryJson(const MapRun& run) {
   AddStatistics(map ? ComputeMapStatistics(*map) : MapStatistics(), &json);
   AddSessions(*run.snapshot, &json);
   AddErrors(map, run, &json);
+  json["matching"] = FunnelJson(run.funnel);
   json["mapper"] = MapperJson(run.mapper);
+  json["merges"] = MergesJson(run.merges);
   AddCosts(run, &json);
   return json;
 }

@@ -49,7 +49,7 @@ std::vector<ImageEvent> SmallDrive() {
 std::shared_ptr<const MapSnapshot> MapWith(int num_threads, OfflineMapperOptions options = {}) {
   options.num_threads = num_threads;
   options.frontend.extract.max_features = 300;
-  OfflineMapper mapper(options, nullptr);
+  OfflineMapper mapper(options, nullptr, nullptr);
   mapper.StartDrive("small");
   for (const ImageEvent& image : SmallDrive()) mapper.Add(image);
   return mapper.Finish();
@@ -69,7 +69,7 @@ TEST(OfflineMapper, GivesTheSameMapWithOneAndManyThreads) {
 }
 
 TEST(OfflineMapper, CountsWhatBecameOfTheImages) {
-  OfflineMapper mapper({}, nullptr);
+  OfflineMapper mapper({}, nullptr, nullptr);
   mapper.StartDrive("small");
   ImageEvent broken = SmallDrive().front();
   broken.encoded = std::make_shared<const std::vector<uint8_t>>(10, uint8_t{7});

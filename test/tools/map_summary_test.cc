@@ -25,6 +25,7 @@ MapRun SmallRun() {
   run.snapshot = std::make_shared<const MapSnapshot>(snapshot);
   run.frontend.keyframes = 4;
   run.frontend.light_frames = 5;
+  run.funnel = {3, 3000, 1200, 1100, 1000, 900, 950};
   run.stages["match"] = {10, 50'000'000};
   return run;
 }
@@ -39,6 +40,8 @@ TEST(MapSummaryJson, CountsImagesAndLeavesOutWhatIsNotKnown) {
   EXPECT_TRUE(json["ate_rmse_m"].is_null());
   EXPECT_TRUE(json["scale_error"].is_null());
   EXPECT_EQ(json["ms_per_frame"]["match"], 5.0);
+  EXPECT_EQ(json["matching"]["mean_features"], 1000.0);
+  EXPECT_EQ(json["matching"]["ransac_share"], 0.3);
 }
 
 TEST(MapSummaryJson, ComparesAMetricMapWithTheTruth) {
@@ -68,6 +71,7 @@ TEST(MapSummaryJson, SurvivesARunWithoutAnyMap) {
   EXPECT_EQ(json["registered"], 0);
   EXPECT_EQ(json["maps"], 0);
   EXPECT_EQ(json["dropped"], 3);
+  EXPECT_TRUE(json["matching"].is_null());
 }
 
 TEST(PeakRssMb, IsSomething) { EXPECT_GT(PeakRssMb(), 1.0); }

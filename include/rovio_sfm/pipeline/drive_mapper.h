@@ -13,7 +13,9 @@
 #include "rovio_sfm/pipeline/mapper_options.h"
 #include "rovio_sfm/pipeline/mapper_report.h"
 #include "rovio_sfm/pipeline/register_frame.h"
+#include "rovio_sfm/pipeline/session_table.h"
 #include "rovio_sfm/scene/frame_store.h"
+#include "rovio_sfm/scene/place_match.h"
 #include "rovio_sfm/scene/session.h"
 #include "rovio_sfm/util/executor.h"
 #include "rovio_sfm/util/stage_times.h"
@@ -38,6 +40,14 @@ class DriveMapper {
   // Closes the current session with its final adjustment; the next frame opens another.
   void Finish();
 
+  // Tries to start the current session from the map that its held frames see (§4.3.2); false if it
+  // runs already, or cannot.
+  bool Seed(const std::vector<PlaceMatch>& matches, const SessionTable& sessions);
+  // True while frames wait for the current session to start, and there are this many.
+  bool HoldsFrames(int min_count) const;
+  // The session was changed from outside (merged, undone): what was computed from it is forgotten.
+  void OnSessionChanged(SessionId id);
+
   const std::vector<std::unique_ptr<Session>>& sessions() const { return sessions_; }
   const MapperCounters& counters() const { return counters_; }
   const Camera& camera() const { return camera_; }
@@ -48,6 +58,7 @@ class DriveMapper {
   std::optional<std::string> Refuse(const FrameEvent& event);
   void Hold(const FrameEvent& event, MapperReport* report);
   bool Start(const BootstrapPair& pair);
+  void EnterMap(uint32_t first_index);
   void InsertHeld(const FrameEvent& event);
   void AddKeyframe(const FrameEvent& event, MapperReport* report);
   std::optional<Registration> Resect(const FrameEvent& event, MapperReport* report);

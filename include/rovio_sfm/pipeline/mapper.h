@@ -6,6 +6,7 @@
 
 #include "rovio_sfm/pipeline/drive_mapper.h"
 #include "rovio_sfm/pipeline/events.h"
+#include "rovio_sfm/pipeline/map_merger.h"
 #include "rovio_sfm/pipeline/mapper_options.h"
 #include "rovio_sfm/scene/frame_store.h"
 #include "rovio_sfm/scene/map_snapshot.h"
@@ -27,6 +28,16 @@ class Mapper {
   // the drive changed) is refused, with the reason; the maps stay as they were.
   MapperReport Add(const FrameEvent& event);
 
+  // Takes an overlap: joins the maps it touches, closes a loop, or waits for its frames (§4.3).
+  // What became of it, and of those that it confirmed.
+  void Add(const PlaceMatch& match);
+  // By request; see MapMerger. The report says what was done, or why not.
+  MergeReport Merge(SessionId a, SessionId b, bool force);
+  MergeReport MergeAt(SessionId a, SessionId b, const Sim3& b_from_a);
+  std::vector<MergeReport> Unmerge(SessionId id);
+  // All overlaps judged so far.
+  std::vector<MergeReport> MergeReports() const { return merger_.Reports(); }
+
   // Closes the drive's current session with its final adjustment; should the drive go on, its next
   // frame opens another. False if the drive is unknown.
   bool FinishSession(const DriveId& drive);
@@ -37,7 +48,14 @@ class Mapper {
   MapperCounters counters() const;
 
  private:
+  SessionTable Sessions() const;
+  DriveMapper* DriveOf(SessionId id) const;
+  void Settle();
+  void TrySeed(const DriveId& drive);
+  void AdjustMaps();
+
   MapperContext context_;
+  MapMerger merger_;
   uint32_t num_sessions_ = 0;
   std::map<DriveId, std::unique_ptr<DriveMapper>> drives_;
   mutable uint64_t version_ = 0;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "rovio_sfm/pipeline/merge_options.h"
 #include "rovio_sfm/tracks/filter_f2.h"
 
 namespace rovio_sfm {
@@ -68,6 +69,7 @@ struct MapperOptions {
   AdjustOptions adjust;
   PruneOptions prune;
   ScaleOptions scale;
+  MergeOptions merge;
   FilterF2Options f2;           // when two landmarks of linked tracks become one
   int max_weak_frames = 3;      // more in a row end the session as lost, 0 to 100
   double pixel_sigma_px = 1.0;  // position of a small feature, 0.1 to 20

@@ -5,9 +5,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "rovio_sfm/pipeline/frontend.h"
 #include "rovio_sfm/pipeline/mapper.h"
+#include "rovio_sfm/pipeline/matching_funnel.h"
+#include "rovio_sfm/pipeline/place_recognizer.h"
 #include "rovio_sfm/scene/memory_frame_store.h"
 #include "rovio_sfm/util/executor.h"
 #include "rovio_sfm/util/stage_times.h"
@@ -18,6 +21,7 @@ namespace rovio_sfm {
 struct OfflineMapperOptions {
   FrontendOptions frontend;
   MapperOptions mapper;
+  PlaceRecognizerOptions places;
   int num_threads = 2;  // 1: everything on the caller's thread; 1 to 64; never changes the result
   uint64_t seed = 1;
 
@@ -29,8 +33,10 @@ struct OfflineMapperOptions {
 // images, options and seed give the same maps, whatever the number of threads.
 class OfflineMapper {
  public:
-  // Options must be valid. times is borrowed, may be null and must outlive the mapper.
-  OfflineMapper(const OfflineMapperOptions& options, StageTimes* times);
+  // Options must be valid. Without a place model drives are not merged, and loops not closed. times
+  // is borrowed, may be null and must outlive the mapper.
+  OfflineMapper(const OfflineMapperOptions& options, std::shared_ptr<const PlaceModel> place_model,
+                StageTimes* times);
 
   // Ends the drive before, if there is one, and begins the next.
   void StartDrive(const std::string& robot);
@@ -41,7 +47,9 @@ class OfflineMapper {
 
   // What became of the images of all drives so far; call after Finish.
   const FrontendCounters& frontend_counters() const { return frontend_counters_; }
+  const MatchingFunnel& matching_funnel() const { return funnel_; }
   MapperCounters mapper_counters() const { return mapper_.counters(); }
+  std::vector<MergeReport> merge_reports() const { return mapper_.MergeReports(); }
 
  private:
   void FinishDrive();
@@ -54,10 +62,12 @@ class OfflineMapper {
   Executor adjust_executor_;   // of the mapper's global adjustment
   Executor prepare_executor_;  // of the frontend's pure first half
   Mapper mapper_;
+  std::optional<PlaceRecognizer> recognizer_;  // none without a place model
   std::optional<Frontend> frontend_;
   std::deque<std::future<PreparedImage>> prepared_;
   std::unique_ptr<Worker<FrameEvent>> mapping_;  // null with one thread
   FrontendCounters frontend_counters_;
+  MatchingFunnel funnel_;
   uint32_t next_nonce_ = 0;
 };
 

@@ -9,7 +9,9 @@
 #include "rovio_sfm/io/trajectory_file.h"
 #include "rovio_sfm/pipeline/frontend.h"
 #include "rovio_sfm/pipeline/mapper_report.h"
+#include "rovio_sfm/pipeline/matching_funnel.h"
 #include "rovio_sfm/scene/map_snapshot.h"
+#include "rovio_sfm/scene/merge_report.h"
 #include "rovio_sfm/util/stage_times.h"
 
 namespace rovio_sfm {
@@ -19,7 +21,9 @@ struct MapRun {
   size_t num_images = 0;  // in the folders, after the stride
   std::shared_ptr<const MapSnapshot> snapshot;
   FrontendCounters frontend;
+  MatchingFunnel funnel;
   MapperCounters mapper;
+  std::vector<MergeReport> merges;
   std::map<std::string, StageTimes::Total> stages;
   std::map<std::string, std::vector<StampedPose>> ground_truth;  // by robot; may lack some
   double wall_s = 0.0;

@@ -1,0 +1,101 @@
+#include "rovio_sfm/pipeline/align_overlap.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "rovio_sfm/sfm/resect_frame.h"
+
+namespace rovio_sfm {
+namespace {
+
+std::vector<CrossMatch> MatchesOf(const Session& a, const Session& b, uint32_t query,
+                                  const std::vector<OverlapPair>& pairs) {
+  std::vector<CrossMatch> matches;
+  for (const OverlapPair& pair : pairs) {
+    const std::vector<CrossMatch> found =
+        FindCrossMatches(a, b, pair.other, {b.drive(), query}, pair.inliers);
+    matches.insert(matches.end(), found.begin(), found.end());
+  }
+  return matches;
+}
+
+std::vector<CrossMatch> Swapped(std::vector<CrossMatch> matches) {
+  for (CrossMatch& match : matches) std::swap(match.a, match.b);
+  return matches;
+}
+
+// The query camera among the landmarks of session a.
+std::optional<Resection> ResectQuery(const std::vector<CrossMatch>& matches,
+                                     const MapperOptions& options) {
+  std::map<uint32_t, PoseObservation> seen;  // by feature: each once
+  for (const CrossMatch& match : matches) {
+    if (!match.a.landmark) continue;
+    seen.try_emplace(
+        match.b.observation.feature,
+        PoseObservation{match.a.landmark->position, match.b.x_normalized, match.b.sigma});
+  }
+  std::vector<PoseObservation> observations;
+  for (const auto& [feature, observation] : seen) observations.push_back(observation);
+  Rng rng = Rng(options.seed).Fork(observations.size());
+  const auto resection =
+      ResectFrame(observations,
+                  {options.resect.threshold_px / options.pixel_sigma_px,
+                   options.resect.max_iterations, options.adjust.loss_px / options.pixel_sigma_px},
+                  rng);
+  const auto min_inliers = static_cast<size_t>(options.resect.min_inliers);
+  if (!resection || resection->inliers.size() < min_inliers) return std::nullopt;
+  return resection;
+}
+
+AlignReport AlignByResection(const std::vector<CrossMatch>& matches, const Rigid3& cam_from_a,
+                             const Rigid3& cam_from_b, const AlignOptions& options) {
+  AlignReport report = AlignFromPose(Swapped(matches), cam_from_b, cam_from_a, options);
+  if (report.alignment) report.alignment->b_from_a = Inverse(report.alignment->b_from_a);
+  return report;
+}
+
+OverlapAlignment Conclude(const AlignReport& report, const std::vector<CrossMatch>& matches) {
+  OverlapAlignment result;
+  result.alignment = report.alignment;
+  result.num_matches = report.num_matches;
+  result.num_common = report.num_common;
+  if (!report.alignment) {
+    result.reason = std::string("no alignment: ") + ToString(report.refusal);
+    return result;
+  }
+  for (const uint32_t i : report.alignment->inliers) result.inliers.push_back(matches[i]);
+  return result;
+}
+
+Rng StreamOf(const MapperOptions& options, uint32_t query) { return Rng(options.seed).Fork(query); }
+
+}  // namespace
+
+OverlapAlignment AlignOverlap(const Session& a, const Session& b, uint32_t query,
+                              const std::vector<OverlapPair>& pairs, const MapperOptions& options) {
+  const std::vector<CrossMatch> matches = MatchesOf(a, b, query, pairs);
+  Rng rng = StreamOf(options, query);
+  AlignReport report = AlignByPoints(matches, options.merge.align, rng);
+  if (report.alignment) return Conclude(report, matches);
+  const auto resection = ResectQuery(matches, options);
+  if (!resection) return Conclude(report, matches);
+  const AlignReport resected = AlignByResection(
+      matches, resection->cam_from_map, b.keyframe(query).cam_from_session, options.merge.align);
+  return Conclude(resected.alignment ? resected : report, matches);
+}
+
+OverlapAlignment AlignLinks(const Session& a, const Session& b,
+                            const std::vector<FeatureLink>& links, const Sim3& b_from_a,
+                            const MapperOptions& options) {
+  std::vector<CrossMatch> matches;
+  for (const FeatureLink& link : links) {
+    const std::vector<CrossMatch> found =
+        FindCrossMatches(a, b, {a.drive(), link.a.frame}, {b.drive(), link.b.frame},
+                         {{link.a.feature, link.b.feature}});
+    matches.insert(matches.end(), found.begin(), found.end());
+  }
+  return Conclude(RefineAlignment(matches, b_from_a, options.merge.align), matches);
+}
+
+}  // namespace rovio_sfm
