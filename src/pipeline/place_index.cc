@@ -155,6 +155,17 @@ std::vector<FrameId> PlaceIndex::Neighbors(const FrameId& id, int step, size_t c
   return neighbors;
 }
 
+std::vector<FrameId> PlaceIndex::FramesBetween(const DriveId& drive, uint32_t first,
+                                               uint32_t last) const {
+  std::vector<FrameId> frames;
+  const auto found = drives_.find(drive);
+  if (found == drives_.end()) return frames;
+  for (const uint32_t index : found->second.indices) {
+    if (index >= first && index <= last) frames.push_back({drive, index});
+  }
+  return frames;
+}
+
 size_t PlaceIndex::NumBytes() const {
   size_t bytes = fabmap_.NumBytes() + places_.capacity() * sizeof(Place);
   for (const auto& [id, drive] : drives_) {

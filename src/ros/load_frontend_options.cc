@@ -84,16 +84,6 @@ void ReadGuided(OptionReader reader, GuidedOptions* options) {
   reader.RefuseUnknown();
 }
 
-void ReadPair(OptionReader reader, PairOptions* options) {
-  ReadMatch(reader.Group("match"), &options->match);
-  reader.Read("max_ratio", &options->max_ratio);
-  reader.Read("max_mean_factor", &options->max_mean_factor);
-  ReadVerify(reader.Group("verify"), &options->verify);
-  reader.Read("use_guided", &options->use_guided);
-  ReadGuided(reader.Group("guided"), &options->guided);
-  reader.RefuseUnknown();
-}
-
 void ReadOdometryGate(OptionReader reader, OdometryGateOptions* options) {
   reader.Read("enabled", &options->enabled);
   reader.Read("max_rotation_gap_deg", &options->max_rotation_gap_deg);
@@ -136,14 +126,25 @@ void ReadLight(OptionReader reader, LightOptions* options) {
 
 }  // namespace
 
+void ReadOptions(OptionReader* reader, PairOptions* options) {
+  ReadMatch(reader->Group("match"), &options->match);
+  reader->Read("max_ratio", &options->max_ratio);
+  reader->Read("max_mean_factor", &options->max_mean_factor);
+  ReadVerify(reader->Group("verify"), &options->verify);
+  reader->Read("use_guided", &options->use_guided);
+  ReadGuided(reader->Group("guided"), &options->guided);
+  reader->RefuseUnknown();
+}
+
 void ReadOptions(OptionReader* reader, FrontendOptions* options) {
+  OptionReader pair = reader->Group("pair");
   reader->Read("max_pixels", &options->max_pixels);
   reader->Read("min_features", &options->min_features);
   reader->Read("keep_images", &options->keep_images);
   ReadChoose(reader->Group("choose"), &options->choose);
   ReadDenoise(reader->Group("denoise"), &options->denoise);
   ReadExtract(reader->Group("extract"), &options->extract);
-  ReadPair(reader->Group("pair"), &options->pair);
+  ReadOptions(&pair, &options->pair);
   ReadRecursion(reader->Group("recursion"), &options->recursion);
   ReadTrack(reader->Group("track"), &options->track);
   ReadLight(reader->Group("light"), &options->light);

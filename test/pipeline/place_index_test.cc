@@ -92,6 +92,11 @@ TEST_F(PlaceIndexTest, NeighborsEndWithTheDrive) {
   EXPECT_TRUE(index_.Neighbors({kFirst, 3}, 1, 2).empty());
 }
 
+TEST_F(PlaceIndexTest, FramesBetweenAreThoseKnown) {
+  EXPECT_EQ(index_.FramesBetween(kFirst, 3, 6), (std::vector<FrameId>{{kFirst, 4}, {kFirst, 6}}));
+  EXPECT_TRUE(index_.FramesBetween({"third", 3, 1}, 0, 9).empty());
+}
+
 TEST_F(PlaceIndexTest, CameraIsKnownOfKnownFramesOnly) {
   EXPECT_NE(index_.FindCamera({kFirst, 4}), nullptr);
   EXPECT_EQ(index_.FindCamera({kFirst, 5}), nullptr);

@@ -7,6 +7,7 @@
 
 #include "rovio_sfm/ros/frontend_node_options.h"
 #include "rovio_sfm/ros/mapping_node_options.h"
+#include "rovio_sfm/ros/place_recognition_node_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -62,6 +63,13 @@ TEST(LoadOptions, ShippedMappingFileStatesEveryDefault) {
   EXPECT_EQ(NumScalars(file), defaults.size());
 }
 
+TEST(LoadOptions, ShippedPlaceRecognitionFileStatesEveryDefault) {
+  const YAML::Node file = ConfigFile("place_recognition.yaml");
+  const auto defaults = EffectiveOf<PlaceRecognizerOptions>(YAML::Node());
+  EXPECT_EQ(FirstDifference(EffectiveOf<PlaceRecognizerOptions>(file), defaults), "");
+  EXPECT_EQ(NumScalars(file), defaults.size());
+}
+
 TEST(LoadOptions, OutOfRangeNamesOptionAndBound) {
   const std::string error =
       ErrorOf([] { EffectiveOf<MapperOptions>(YAML::Load("{resect: {min_inliers: 2}}")); });
@@ -88,6 +96,20 @@ TEST(LoadOptions, FrontendNodeRefusesUnknownParameters) {
 TEST(LoadOptions, MappingNodeRefusesOddRobots) {
   const YAML::Node node = YAML::Load("{robots: [rovio1, Rovio 2]}");
   EXPECT_NE(ErrorOf([&] { LoadMappingNodeOptions(node); }).find("Rovio 2"), std::string::npos);
+}
+
+TEST(LoadOptions, PlaceRecognitionNodeReadsItsGroups) {
+  const auto options = LoadPlaceRecognitionNodeOptions(
+      YAML::Load("{robots: [a], cache_mb: 9, places: {seed: 4}, frontend: {min_features: 7}}"));
+  EXPECT_EQ(options.cache_mb, 9);
+  EXPECT_EQ(options.places.seed, 4u);
+  EXPECT_EQ(options.frontend.min_features, 7);
+}
+
+TEST(LoadOptions, PlaceRecognitionNodeRefusesUnknownParameters) {
+  const YAML::Node node = YAML::Load("{places: {verify: {pair: {ratio: 0.7}}}}");
+  EXPECT_EQ(ErrorOf([&] { LoadPlaceRecognitionNodeOptions(node); }),
+            "places.verify.pair.ratio: unknown option");
 }
 
 TEST(LoadOptions, MappingNodeReadsItsGroups) {

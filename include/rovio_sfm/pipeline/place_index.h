@@ -58,6 +58,9 @@ class PlaceIndex {
   // Known neighbours of a frame in its drive, nearest first, before (step -1) or after it (+1).
   std::vector<FrameId> Neighbors(const FrameId& id, int step, size_t count) const;
 
+  // The known keyframes of a drive from index first to last.
+  std::vector<FrameId> FramesBetween(const DriveId& drive, uint32_t first, uint32_t last) const;
+
   size_t NumDrives() const { return drives_.size(); }
   size_t NumPlaces() const { return places_.size(); }
   size_t NumBytes() const;  // memory that grows with the places

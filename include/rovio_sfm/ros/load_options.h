@@ -2,6 +2,8 @@
 
 #include "rovio_sfm/pipeline/frontend_options.h"
 #include "rovio_sfm/pipeline/mapper_options.h"
+#include "rovio_sfm/pipeline/match_pair.h"
+#include "rovio_sfm/pipeline/place_recognizer_options.h"
 #include "rovio_sfm/ros/option_reader.h"
 #include "rovio_sfm/ros/robot_sensors.h"
 
@@ -10,9 +12,12 @@
 // not start.
 namespace rovio_sfm {
 
-void ReadOptions(OptionReader* reader, FrontendOptions* options);  // config/frontend.yaml
-void ReadOptions(OptionReader* reader, MapperOptions* options);    // config/mapping.yaml
+void ReadOptions(OptionReader* reader, FrontendOptions* options);         // config/frontend.yaml
+void ReadOptions(OptionReader* reader, MapperOptions* options);           // config/mapping.yaml
+void ReadOptions(OptionReader* reader, PlaceRecognizerOptions* options);  // place_recognition.yaml
 void ReadOptions(OptionReader* reader, SensorOptions* options);
+void ReadOptions(OptionReader* reader, PairOptions* options);   // a group of several
+void ReadOptions(OptionReader* reader, MergeOptions* options);  // a group of config/mapping.yaml
 
 // Throws what IsValid complains about.
 template <typename Options>

@@ -49,4 +49,12 @@ inline constexpr char kReset[] = "reset";                   // service Reset
 inline constexpr uint32_t kMapQueue = 1;
 inline constexpr uint32_t kPoseQueue = 50;
 
+// Place recognition, in its own namespace: that of mapping.
+inline constexpr char kPlaceMatches[] = "place_matches";  // PlaceMatchMsg
+inline constexpr char kPlaceStatus[] = "place_status";    // PlaceStatus, latched
+inline constexpr char kFindOverlaps[] = "find_overlaps";  // service FindOverlaps
+inline constexpr char kQueryImage[] = "query_image";      // service QueryImage
+inline constexpr uint32_t kPlaceMatchesQueue = 1000;      // none is dropped on purpose
+inline constexpr uint32_t kPlaceStatusQueue = 1;
+
 }  // namespace rovio_sfm::topics

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <rovio_sfm/FindOverlaps.h>
+#include <rovio_sfm/FrameEventMsg.h>
+#include <rovio_sfm/PlaceStatus.h>
+#include <rovio_sfm/QueryImage.h>
+#include <rovio_sfm/SessionSummary.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/pipeline/frame_cache.h"
+#include "rovio_sfm/pipeline/place_recognizer.h"
+#include "rovio_sfm/ros/fetch_frames.h"
+#include "rovio_sfm/ros/frame_subscriber.h"
+#include "rovio_sfm/ros/job_worker.h"
+#include "rovio_sfm/ros/place_recognition_node_options.h"
+#include "rovio_sfm/util/mutex.h"
+
+namespace rovio_sfm {
+
+// Frame events of all robots in, place matches out. At its start, and wherever a drive has a gap,
+// it fetches from mapping and the frontends what it missed, so it may be restarted at any time; the
+// matches of frames fetched are published (again). The worker owns the recognizer.
+class PlaceRecognitionNode {
+ public:
+  PlaceRecognitionNode(const PlaceRecognitionNodeOptions& options, ros::NodeHandle node,
+                       ros::NodeHandle private_node);
+  ~PlaceRecognitionNode();
+
+  void Tick() { diagnostics_.update(); }
+
+ private:
+  static constexpr size_t kJobQueue = 500;  // events and calls; drop oldest, counted, fetched again
+
+  void AdvertiseServices();
+  bool FindOverlaps(FindOverlapsRequest& request, FindOverlapsResponse& response);
+  bool QueryImage(QueryImageRequest& request, QueryImageResponse& response);
+  std::optional<SessionSummary> FindSession(uint32_t number, Status* status);
+  void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+  PlaceStatus LastStatus() const EXCLUDES(mutex_);
+
+  // All below run on the worker.
+  void FetchKnownDrives();
+  void Ingest(const FrameEvent& event);
+  void FetchMissing(const FrameId& id);
+  void Recognize(const FrameEvent& event);
+  std::shared_ptr<const FrameFeatures> FetchFeatures(const FrameId& id);
+  bool CallMapping(GetFramesRequest& request, GetFramesResponse& response);
+  std::vector<PlaceMatch> Overlaps(const SessionSummary& a, const SessionSummary& b,
+                                   size_t* num_compared);
+  void Publish(const std::vector<PlaceMatch>& matches, int64_t stamp_ns);
+  void PublishStatus(int64_t stamp_ns, double query_s) EXCLUDES(mutex_);
+
+  const PlaceRecognitionNodeOptions options_;
+  ros::NodeHandle node_;
+  FrameCache cache_;
+  PlaceRecognizer recognizer_;
+  std::map<DriveId, uint32_t> next_indices_;
+  uint64_t num_events_ = 0, num_fetched_ = 0, num_missing_ = 0;
+  mutable Mutex mutex_;
+  PlaceStatus status_ GUARDED_BY(mutex_);
+  ros::Publisher match_publisher_, status_publisher_;
+  ros::ServiceClient mapping_frames_, mapping_sessions_;
+  std::map<std::string, ros::ServiceClient> frontends_;  // get_frames, by robot
+  ros::CallbackQueue service_queue_;
+  std::vector<ros::ServiceServer> services_;
+  ros::AsyncSpinner service_spinner_;
+  diagnostic_updater::Updater diagnostics_;
+  JobWorker worker_;            // its thread uses the others
+  FrameSubscriber subscriber_;  // pushes to the worker
+};
+
+}  // namespace rovio_sfm

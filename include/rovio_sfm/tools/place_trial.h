@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/pipeline/frontend_options.h"
+#include "rovio_sfm/pipeline/place_recognizer.h"
+#include "rovio_sfm/tools/place_curve.h"
+#include "rovio_sfm/tools/place_truth.h"
+
+namespace rovio_sfm {
+
+// An image ready to be asked for or remembered.
+struct PlaceImage {
+  std::string name;  // folder/file, for people
+  FrameId id;
+  Camera camera;
+  std::shared_ptr<const FrameFeatures> features;
+};
+
+// Reads the images of a folder and extracts their features as a frontend would, on num_threads
+// threads; the n-th folder is the n-th drive. Throws std::runtime_error for an unreadable image.
+std::vector<PlaceImage> ExtractPlaceImages(const PlaceImages& images, uint32_t folder,
+                                           const FrontendOptions& options, int num_threads);
+
+// The best answers to each query, method by method, and what they cost.
+struct PlaceTrial {
+  std::vector<std::optional<PlaceAnswer>> fabmap;           // score: log of place against new place
+  std::vector<std::optional<PlaceAnswer>> verified;         // after geometry; score: inliers
+  std::vector<std::optional<PlaceAnswer>> tf_idf;           // score: similarity
+  double words_ms = 0.0, fabmap_ms = 0.0, verify_ms = 0.0;  // processor time a query, mean
+  double bytes_per_place = 0.0;
+  PlaceCounters counters;
+};
+
+// Asks for every query among the database; queries do not know each other.
+PlaceTrial RunPlaceTrial(const std::vector<PlaceImage>& queries,
+                         const std::vector<PlaceImage>& database,
+                         const std::shared_ptr<const PlaceModel>& model,
+                         const PlaceRecognizerOptions& options);
+
+}  // namespace rovio_sfm

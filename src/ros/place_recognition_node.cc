@@ -1,0 +1,197 @@
+#include "rovio_sfm/ros/place_recognition_node.h"
+
+#include <rovio_sfm/ListSessions.h>
+
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "rovio_sfm/ros/conversions.h"
+#include "rovio_sfm/ros/place_match_message.h"
+#include "rovio_sfm/ros/place_status_message.h"
+#include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/tools/place_model_option.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr double kWarnPeriodS = 10.0;
+constexpr size_t kBytesPerMb = 1u << 20;
+constexpr uint32_t kServiceThreads = 1;  // calls wait for the worker one after the other
+
+double SteadySeconds() { return ros::SteadyTime::now().toSec(); }
+
+}  // namespace
+
+PlaceRecognitionNode::PlaceRecognitionNode(const PlaceRecognitionNodeOptions& options,
+                                           ros::NodeHandle node, ros::NodeHandle private_node)
+    : options_(options),
+      node_(node),
+      cache_(static_cast<size_t>(options.cache_mb) * kBytesPerMb,
+             [this](const FrameId& id) { return FetchFeatures(id); }),
+      recognizer_(options.places, ReadPlaceModel(options.vocabulary), &cache_),
+      match_publisher_(
+          node_.advertise<PlaceMatchMsg>(topics::kPlaceMatches, topics::kPlaceMatchesQueue)),
+      status_publisher_(
+          node_.advertise<PlaceStatus>(topics::kPlaceStatus, topics::kPlaceStatusQueue, true)),
+      mapping_frames_(node_.serviceClient<rovio_sfm::GetFrames>(topics::kGetFrames)),
+      mapping_sessions_(node_.serviceClient<rovio_sfm::ListSessions>(topics::kListSessions)),
+      service_spinner_(kServiceThreads, &service_queue_),
+      diagnostics_(node, private_node),
+      worker_(kJobQueue, WhenFull::kDropOldest, [](const Job& job) { job(); }),
+      subscriber_(node_, options.robots, [this](const FrameEventMsg::ConstPtr&, FrameEvent event) {
+        worker_.Push([this, event = std::move(event)] { Ingest(event); });
+      }) {
+  for (const std::string& robot : options_.robots) {
+    frontends_[robot] =
+        node_.serviceClient<rovio_sfm::GetFrames>("/" + robot + "/" + topics::kGetFrames);
+  }
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("frames to places", this, &PlaceRecognitionNode::Diagnose);
+  worker_.Push([this] { FetchKnownDrives(); });
+  AdvertiseServices();
+  service_spinner_.start();
+}
+
+PlaceRecognitionNode::~PlaceRecognitionNode() {
+  subscriber_.Stop();
+  service_spinner_.stop();
+  const size_t num_forgotten = worker_.Stop();
+  if (num_forgotten > 0)
+    ROS_INFO_STREAM("ending: " << num_forgotten << " events were not looked at");
+}
+
+// After a restart: all that mapping holds.
+void PlaceRecognitionNode::FetchKnownDrives() {
+  rovio_sfm::ListSessions sessions;
+  if (!mapping_sessions_.exists() || !mapping_sessions_.call(sessions)) return;
+  std::set<DriveId> drives;
+  for (const SessionSummary& session : sessions.response.sessions) {
+    std::string error;
+    if (const auto drive = FromMessage(session.drive, &error)) drives.insert(*drive);
+  }
+  for (const DriveId& drive : drives) {
+    FetchMissing({drive, std::numeric_limits<uint32_t>::max()});
+  }
+}
+
+void PlaceRecognitionNode::Ingest(const FrameEvent& event) {
+  ++num_events_;
+  FetchMissing(event.id);
+  Recognize(event);
+}
+
+// Asks mapping, which holds all, then the frontend, which holds the newest, for what lies between
+// the drive's last event and this one. What nobody has is counted, and stays missing.
+void PlaceRecognitionNode::FetchMissing(const FrameId& id) {
+  uint32_t next = next_indices_.try_emplace(id.drive, 0).first->second;
+  const HandleFrame handle = [this](const FrameEventMsg&, const FrameEvent& event) {
+    ++num_fetched_;
+    Recognize(event);
+  };
+  if (next < id.index) {
+    next = FetchFrames(
+        [this](auto& request, auto& response) { return CallMapping(request, response); },
+        {id.drive, next}, id.index, handle);
+  }
+  const auto frontend = frontends_.find(id.drive.robot);
+  if (next < id.index && frontend != frontends_.end()) {
+    FetchFrames(
+        [&](auto& request, auto& response) { return frontend->second.call(request, response); },
+        {id.drive, next}, id.index, handle);
+  }
+}
+
+bool PlaceRecognitionNode::CallMapping(GetFramesRequest& request, GetFramesResponse& response) {
+  return mapping_frames_.exists() && mapping_frames_.call(request, response);
+}
+
+void PlaceRecognitionNode::Recognize(const FrameEvent& event) {
+  uint32_t& next = next_indices_[event.id.drive];
+  if (event.id.index < next) return;  // fetched before
+  num_missing_ += event.id.index - next;
+  next = event.id.index + 1;
+  const double start_s = SteadySeconds();
+  if (event.kind == FrameKind::kKeyframe) cache_.Put(event.id, event.features);
+  Publish(recognizer_.Add(event), event.stamp_ns);
+  PublishStatus(event.stamp_ns, SteadySeconds() - start_s);
+}
+
+// What the cache forgot.
+std::shared_ptr<const FrameFeatures> PlaceRecognitionNode::FetchFeatures(const FrameId& id) {
+  std::shared_ptr<const FrameFeatures> features;
+  FetchFrames(
+      [this](auto& request, auto& response) {
+        request.max_frames = 1;
+        return CallMapping(request, response);
+      },
+      id, id.index + 1,
+      [&](const FrameEventMsg&, const FrameEvent& event) { features = event.features; });
+  return features;
+}
+
+std::vector<PlaceMatch> PlaceRecognitionNode::Overlaps(const SessionSummary& a,
+                                                       const SessionSummary& b,
+                                                       size_t* num_compared) {
+  const auto frames_of = [this](const SessionSummary& session) {
+    std::string error;
+    const std::optional<DriveId> drive = FromMessage(session.drive, &error);
+    if (!drive) return std::vector<FrameId>{};
+    return recognizer_.index().FramesBetween(*drive, session.first_index, session.last_index);
+  };
+  const std::vector<FrameId> others = frames_of(a), queries = frames_of(b);
+  *num_compared = queries.size();
+  return recognizer_.FindOverlaps(queries, others);
+}
+
+void PlaceRecognitionNode::Publish(const std::vector<PlaceMatch>& matches, int64_t stamp_ns) {
+  for (const PlaceMatch& match : matches) match_publisher_.publish(ToMessage(match, stamp_ns));
+}
+
+void PlaceRecognitionNode::PublishStatus(int64_t stamp_ns, double query_s) {
+  PlaceStatus status = ToMessage(recognizer_.counters());
+  status.header.stamp = ToTime(stamp_ns);
+  status.vocabulary = options_.vocabulary;
+  status.last_refusal = recognizer_.last_refusal();
+  status.num_events = num_events_;
+  status.num_refused = subscriber_.NumRefused() + recognizer_.counters().out_of_order;
+  status.num_dropped = worker_.NumDropped();
+  status.num_fetched = num_fetched_;
+  status.num_missing = num_missing_;
+  status.num_drives = static_cast<uint32_t>(recognizer_.index().NumDrives());
+  status.num_places = recognizer_.index().NumPlaces();
+  status.index_bytes = recognizer_.index().NumBytes();
+  status.last_query_s = query_s;
+  status_publisher_.publish(status);
+  MutexLock lock(mutex_);
+  status_ = std::move(status);
+}
+
+PlaceStatus PlaceRecognitionNode::LastStatus() const {
+  MutexLock lock(mutex_);
+  return status_;
+}
+
+void PlaceRecognitionNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  const PlaceStatus last = LastStatus();
+  if (last.num_events + last.num_fetched == 0) {
+    status.summary(Level::WARN, "no frames yet");
+  } else if (last.num_foreign_type > 0) {
+    status.summary(Level::WARN, "keyframes refused: " + last.last_refusal);
+  } else {
+    status.summary(Level::OK, "places are recognised");
+  }
+  status.add("events", last.num_events);
+  status.add("events queued", worker_.NumQueued());
+  status.add("events dropped, queue full", worker_.NumDropped());
+  status.add("events refused", subscriber_.NumRefused());
+  status.add("events fetched", last.num_fetched);
+  status.add("events missing", last.num_missing);
+  status.add("places", last.num_places);
+  status.add("queries", last.num_queries);
+  status.add("queries matched", last.num_matched_queries);
+  status.add("last query, s", last.last_query_s);
+}
+
+}  // namespace rovio_sfm

@@ -1,0 +1,221 @@
+#include "rovio_sfm/tools/evaluate_places.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "rovio_sfm/io/write_file.h"
+#include "rovio_sfm/tools/place_model_option.h"
+#include "rovio_sfm/tools/place_trial.h"
+
+namespace rovio_sfm {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> queries, database, distractors;
+  std::string model, out, truth = "poses", matrix;
+  size_t stride = 1, distractor_stride = 1;
+  int num_threads = 2;
+  bool mean_field = false;
+  bool overwrite = false;
+  FrontendOptions frontend;
+  PlaceRecognizerOptions recognizer;
+};
+
+void Declare(Arguments* a, CLI::App* app) {
+  app->add_option("--query", a->queries, "folders, or FOLDER@FIRST:LAST")->required();
+  app->add_option("--database", a->database, "folders that show the queries' places")->required();
+  app->add_option("--distractors", a->distractors, "folders that show none of them");
+  app->add_option("--model", a->model, "place model; without: that of the package");
+  app->add_option("--out", a->out, "folder for the results")->required();
+  app->add_option("--truth", a->truth, "overlaps: overlaps.txt of a folder; poses: ground truth")
+      ->check(CLI::IsMember({"overlaps", "poses"}));
+  app->add_option("--matrix", a->matrix, "truth: a row per query; 1, 0, or -1 for not scored");
+  app->add_option("--stride", a->stride, "every N-th image")->check(CLI::Range(1, 1000000));
+  app->add_option("--distractor-stride", a->distractor_stride, "of the distractors")
+      ->check(CLI::Range(1, 1000000));
+  app->add_option("--features", a->frontend.extract.max_features, "most features of an image");
+  app->add_option("--candidates", a->recognizer.candidates.max_candidates, "verified at a query");
+  app->add_option("--min-score", a->recognizer.candidates.min_score, "below: none is verified");
+  app->add_option("--ratio", a->recognizer.verify.pair.max_ratio, "of descriptors, in geometry");
+  app->add_option("--min-inliers", a->recognizer.verify.pair.verify.min_inliers, "of geometry");
+  app->add_flag("--mean-field", a->mean_field, "the new place by mean field, not by samples");
+  app->add_option("--threads", a->num_threads, "of extraction")->check(CLI::Range(1, 64));
+  app->add_option("--seed", a->recognizer.seed, "of geometry");
+  app->add_flag("--overwrite", a->overwrite, "replace the results of an earlier run");
+}
+
+void CheckArguments(Arguments* arguments) {
+  if (arguments->mean_field) {
+    arguments->recognizer.fabmap.new_place_model = NewPlaceModel::kMeanField;
+  }
+  std::string error;
+  if (!arguments->frontend.IsValid(&error) || !arguments->recognizer.IsValid(&error)) {
+    throw std::runtime_error(error);
+  }
+  const std::filesystem::path summary = std::filesystem::path(arguments->out) / "summary.json";
+  if (std::filesystem::exists(summary) && !arguments->overwrite) {
+    throw std::runtime_error(summary.string() + " exists; give --overwrite to replace it");
+  }
+  std::filesystem::create_directories(arguments->out);
+}
+
+// Folders as they were read, and all their images one after the other.
+struct Side {
+  std::vector<PlaceImages> folders;
+  std::vector<PlaceImage> images;
+};
+
+Side ReadSide(const std::vector<std::string>& folders, size_t stride, const Arguments& arguments,
+              uint32_t* num_folders) {
+  Side side;
+  for (const std::string& folder : folders) {
+    side.folders.push_back(ReadPlaceImages(folder, stride));
+    for (PlaceImage& image : ExtractPlaceImages(side.folders.back(), (*num_folders)++,
+                                                arguments.frontend, arguments.num_threads)) {
+      side.images.push_back(std::move(image));
+    }
+  }
+  return side;
+}
+
+PlaceTruth TruthOf(const Arguments& arguments, const Side& queries, const Side& database,
+                   size_t num_distractors) {
+  if (!arguments.matrix.empty()) {
+    return ReadPlaceTruth(arguments.matrix, queries.images.size(), database.images.size(),
+                          num_distractors);
+  }
+  const TruthSource source =
+      arguments.truth == "poses" ? TruthSource::kPoses : TruthSource::kOverlaps;
+  return FindPlaceTruth(queries.folders, database.folders, num_distractors, source);
+}
+
+struct Method {
+  std::string name;
+  const std::vector<std::optional<PlaceAnswer>>* answers;
+  PlaceCurve curve;
+};
+
+nlohmann::ordered_json CurveJson(const PlaceCurve& curve) {
+  return {{"precision", curve.precision},
+          {"recall", curve.recall},
+          {"right", curve.num_right},
+          {"wrong", curve.num_wrong},
+          {"not_scored", curve.num_between},
+          {"area_under_curve", curve.area},
+          {"recall_at_full_precision", curve.recall_at_full_precision},
+          {"recall_at_95_precision", curve.recall_at_95_precision}};
+}
+
+nlohmann::ordered_json CountersJson(const PlaceCounters& counters) {
+  return {{"queries", counters.queries},
+          {"low_score", counters.low_score},
+          {"candidates", counters.candidates},
+          {"refused_geometry", counters.refused_geometry},
+          {"refused_spread", counters.refused_spread},
+          {"accepted", counters.accepted},
+          {"matched_queries", counters.matched_queries},
+          {"pairs", counters.pairs}};
+}
+
+nlohmann::ordered_json SummaryJson(const Arguments& arguments, const std::vector<Method>& methods,
+                                   const PlaceTrial& trial, const PlaceModel& model,
+                                   size_t num_places) {
+  nlohmann::ordered_json summary;
+  summary["query"] = arguments.queries;
+  summary["database"] = arguments.database;
+  summary["distractors"] = arguments.distractors;
+  summary["truth"] = arguments.matrix.empty() ? arguments.truth : arguments.matrix;
+  summary["stride"] = arguments.stride;
+  summary["model"] = model.provenance;
+  summary["words"] = model.vocabulary.NumWords();
+  summary["places"] = num_places;
+  summary["queries"] = methods.front().curve.num_queries;
+  summary["queries_with_positive"] = methods.front().curve.num_positive;
+  for (const Method& method : methods) summary[method.name] = CurveJson(method.curve);
+  summary["counters"] = CountersJson(trial.counters);
+  summary["cpu_ms_per_query"] = {
+      {"words", trial.words_ms}, {"fabmap", trial.fabmap_ms}, {"verify", trial.verify_ms}};
+  summary["bytes_per_place"] = trial.bytes_per_place;
+  return summary;
+}
+
+std::string CurvesText(const std::vector<Method>& methods) {
+  std::ostringstream text;
+  text << "method,threshold,precision,recall\n";
+  for (const Method& method : methods) {
+    for (const PlaceOperatingPoint& point : method.curve.points) {
+      text << method.name << "," << point.threshold << "," << point.precision << "," << point.recall
+           << "\n";
+    }
+  }
+  return text.str();
+}
+
+std::string AnswersText(const std::vector<Method>& methods, const std::vector<PlaceImage>& queries,
+                        const std::vector<PlaceImage>& database, const PlaceTruth& truth) {
+  const char* const names[] = {"wrong", "not_scored", "right"};
+  std::ostringstream text;
+  text << "query,method,answer,score,label\n";
+  for (size_t i = 0; i < queries.size(); ++i) {
+    for (const Method& method : methods) {
+      const std::optional<PlaceAnswer>& answer = (*method.answers)[i];
+      text << queries[i].name << "," << method.name << ",";
+      if (!answer) text << ",,none\n";
+      if (!answer) continue;
+      text << database[answer->other].name << "," << answer->score << ","
+           << names[static_cast<size_t>(truth[i][answer->other])] << "\n";
+    }
+  }
+  return text.str();
+}
+
+void Evaluate(const Arguments& arguments, std::ostream& out) {
+  const std::shared_ptr<const PlaceModel> model = ReadPlaceModel(arguments.model);
+  uint32_t num_folders = 0;
+  const Side queries = ReadSide(arguments.queries, arguments.stride, arguments, &num_folders);
+  Side database = ReadSide(arguments.database, arguments.stride, arguments, &num_folders);
+  const Side distractors =
+      ReadSide(arguments.distractors, arguments.distractor_stride, arguments, &num_folders);
+  const PlaceTruth truth = TruthOf(arguments, queries, database, distractors.images.size());
+  database.images.insert(database.images.end(), distractors.images.begin(),
+                         distractors.images.end());
+  const PlaceTrial trial =
+      RunPlaceTrial(queries.images, database.images, model, arguments.recognizer);
+  std::vector<Method> methods{{"fabmap", &trial.fabmap, {}},
+                              {"fabmap_verified", &trial.verified, {}},
+                              {"tf_idf", &trial.tf_idf, {}}};
+  for (Method& method : methods) method.curve = MeasurePlaceCurve(*method.answers, truth);
+  const std::filesystem::path folder(arguments.out);
+  const Overwrite overwrite = arguments.overwrite ? Overwrite::kAllow : Overwrite::kRefuse;
+  const std::string summary =
+      SummaryJson(arguments, methods, trial, *model, database.images.size()).dump(2) + "\n";
+  WriteFile(folder / "curves.csv", CurvesText(methods), overwrite);
+  WriteFile(folder / "answers.csv", AnswersText(methods, queries.images, database.images, truth),
+            overwrite);
+  WriteFile(folder / "summary.json", summary, overwrite);
+  out << "wrote " << std::filesystem::absolute(folder / "summary.json").string() << "\n" << summary;
+}
+
+}  // namespace
+
+int EvaluatePlacesCommand(int argc, const char* const* argv, std::ostream& out) {
+  CLI::App app("Measures place recognition: precision and recall, before and after geometry");
+  Arguments arguments;
+  Declare(&arguments, &app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, out, out);
+  }
+  cv::setNumThreads(1);  // the threads are ours
+  CheckArguments(&arguments);
+  Evaluate(arguments, out);
+  return 0;
+}
+
+}  // namespace rovio_sfm

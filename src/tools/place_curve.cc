@@ -1,0 +1,56 @@
+#include "rovio_sfm/tools/place_curve.h"
+
+#include <algorithm>
+
+namespace rovio_sfm {
+namespace {
+
+struct LabeledAnswer {
+  double score = 0.0;
+  PlaceLabel label = PlaceLabel::kNegative;
+};
+
+double Share(size_t part, size_t whole, double of_nothing) {
+  return whole == 0 ? of_nothing : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+void Count(PlaceLabel label, PlaceCurve* curve) {
+  if (label == PlaceLabel::kPositive) ++curve->num_right;
+  if (label == PlaceLabel::kNegative) ++curve->num_wrong;
+  if (label == PlaceLabel::kBetween) ++curve->num_between;
+  curve->precision = Share(curve->num_right, curve->num_right + curve->num_wrong, 1.0);
+  curve->recall = Share(curve->num_right, curve->num_positive, 0.0);
+}
+
+void AddPoint(double threshold, PlaceCurve* curve) {
+  const double last_recall = curve->points.empty() ? 0.0 : curve->points.back().recall;
+  curve->points.push_back({threshold, curve->precision, curve->recall});
+  curve->area += curve->precision * (curve->recall - last_recall);
+  if (curve->num_wrong == 0) curve->recall_at_full_precision = curve->recall;
+  if (curve->precision >= 0.95) curve->recall_at_95_precision = curve->recall;
+}
+
+}  // namespace
+
+PlaceCurve MeasurePlaceCurve(const std::vector<std::optional<PlaceAnswer>>& answers,
+                             const PlaceTruth& truth) {
+  PlaceCurve curve;
+  curve.num_queries = answers.size();
+  std::vector<LabeledAnswer> labeled;
+  for (size_t i = 0; i < answers.size(); ++i) {
+    const auto& row = truth[i];
+    if (std::count(row.begin(), row.end(), PlaceLabel::kPositive) > 0) ++curve.num_positive;
+    if (answers[i]) labeled.push_back({answers[i]->score, row[answers[i]->other]});
+  }
+  std::stable_sort(labeled.begin(), labeled.end(),
+                   [](const auto& a, const auto& b) { return a.score > b.score; });
+  for (size_t i = 0; i < labeled.size(); ++i) {
+    Count(labeled[i].label, &curve);
+    const bool is_last_of_equals =
+        i + 1 == labeled.size() || labeled[i + 1].score < labeled[i].score;
+    if (is_last_of_equals) AddPoint(labeled[i].score, &curve);
+  }
+  return curve;
+}
+
+}  // namespace rovio_sfm
