@@ -15,6 +15,8 @@ namespace {
 
 constexpr int kNodeSize = 8;  // quaternion x y z w, translation, log scale of node_from_map
 constexpr int kErrorSize = 7;
+constexpr int kEarlyIterations =
+    6;  // before the last solution: the next limit moves the goal anyway
 constexpr double kTightening = 0.25;  // of the square that a switchable edge may be off, each time
 
 using NodeBlock = std::array<double, kNodeSize>;
@@ -78,6 +80,7 @@ class SwitchLoss final : public ceres::LossFunction {
 struct Round {
   std::vector<bool> in_use;
   double limit = 0.0;
+  int max_iterations = 0;
 };
 
 void AddEdges(const PoseGraph& graph, const Round& round, std::vector<NodeBlock>* blocks,
@@ -107,8 +110,7 @@ void SetManifolds(const PoseGraph& graph, std::vector<NodeBlock>* blocks, ceres:
   }
 }
 
-ceres::Solver::Summary Solve(const PoseGraphOptions& options, const Round& round,
-                             PoseGraph* graph) {
+ceres::Solver::Summary Solve(const Round& round, PoseGraph* graph) {
   std::vector<NodeBlock> blocks;
   for (const PoseGraphNode& node : graph->nodes) blocks.push_back(ToBlock(node.node_from_map));
   ceres::Problem problem;
@@ -118,7 +120,7 @@ ceres::Solver::Summary Solve(const PoseGraphOptions& options, const Round& round
   solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   solver.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
   solver.num_threads = 1;
-  solver.max_num_iterations = options.max_iterations;
+  solver.max_num_iterations = round.max_iterations;
   solver.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
@@ -132,19 +134,23 @@ ceres::Solver::Summary Solve(const PoseGraphOptions& options, const Round& round
   return summary;
 }
 
-double LargestSwitchableError(const PoseGraph& graph) {
-  double largest = 0.0;
+// 0 without switchable edges.
+double MedianSwitchableError(const PoseGraph& graph) {
+  std::vector<double> errors;
   for (const PoseGraphEdge& edge : graph.edges) {
-    if (edge.switchable) largest = std::max(largest, EdgeErrorSigmas(graph, edge));
+    if (edge.switchable) errors.push_back(EdgeErrorSigmas(graph, edge));
   }
-  return largest;
+  if (errors.empty()) return 0.0;
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  return *middle;
 }
 
-// The limits of the switchable edges, from one that all of them keep to the one of the options.
-std::vector<double> SwitchLimits(const PoseGraphOptions& options, double largest_error) {
+// The limits of the switchable edges, from one that most of them keep to the one of the options.
+std::vector<double> SwitchLimits(const PoseGraphOptions& options, double median_error) {
   std::vector<double> limits;
   const double last = options.switch_sigmas * options.switch_sigmas;
-  for (double limit = largest_error * largest_error; limit > last; limit *= kTightening) {
+  for (double limit = 4.0 * median_error * median_error; limit > last; limit *= kTightening) {
     limits.push_back(limit);
   }
   limits.push_back(last);
@@ -168,10 +174,9 @@ void CheckGraph(const PoseGraph& graph) {
 }
 
 // Solves round after round; false, with the reason, where one fails.
-bool SolveRounds(const PoseGraphOptions& options, const std::vector<Round>& rounds,
-                 PoseGraph* graph, PoseGraphReport* report) {
+bool SolveRounds(const std::vector<Round>& rounds, PoseGraph* graph, PoseGraphReport* report) {
   for (const Round& round : rounds) {
-    const ceres::Solver::Summary summary = Solve(options, round, graph);
+    const ceres::Solver::Summary summary = Solve(round, graph);
     report->iterations += static_cast<int>(summary.iterations.size());
     if (summary.IsSolutionUsable()) continue;
     report->message = summary.message;
@@ -207,20 +212,20 @@ PoseGraphReport OptimizePoseGraph(const PoseGraphOptions& options, PoseGraph* gr
   PoseGraph solved = *graph;
   std::vector<bool> in_use(graph->edges.size(), true);
   std::vector<Round> rounds;
-  const double largest_error = LargestSwitchableError(*graph);
-  if (largest_error > 0.0) {
-    for (const double limit : SwitchLimits(options, largest_error)) {
-      rounds.push_back({in_use, limit});
+  const double median_error = MedianSwitchableError(*graph);
+  if (median_error > 0.0) {
+    for (const double limit : SwitchLimits(options, median_error)) {
+      rounds.push_back({in_use, limit, std::min(kEarlyIterations, options.max_iterations)});
     }
   }
-  if (!SolveRounds(options, rounds, &solved, &report)) return report;
+  if (!SolveRounds(rounds, &solved, &report)) return report;
   for (uint32_t i = 0; i < solved.edges.size(); ++i) {
     const PoseGraphEdge& edge = solved.edges[i];
     if (!edge.switchable || EdgeErrorSigmas(solved, edge) <= options.switch_sigmas) continue;
     in_use[i] = false;
     report.switched_off.push_back(i);
   }
-  if (!SolveRounds(options, {{in_use, 0.0}}, &solved, &report)) return report;
+  if (!SolveRounds({{in_use, 0.0, options.max_iterations}}, &solved, &report)) return report;
   report.initial_cost = CostOf(*graph, in_use);
   report.final_cost = CostOf(solved, in_use);
   report.usable = true;

@@ -29,7 +29,7 @@ struct PoseGraph {
 };
 
 struct PoseGraphOptions {
-  int max_iterations = 50;  // of each solution
+  int max_iterations = 50;  // of the last solution; those before take at most 6
   // A switchable edge off by more is left out; 99.9 % of true ones are nearer (7 dimensions).
   double switch_sigmas = 5.0;
 
