@@ -174,7 +174,7 @@ def verdicts(figures):
 
 
 def take_picture(path):
-    run("import", "-window", "root", "-colors", "128", path)
+    run("import", "-window", "root", "+dither", "-colors", "96", f"PNG8:{path}")
     print(f"screenshot {path.resolve()}")
 
 
