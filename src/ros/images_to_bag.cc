@@ -12,6 +12,7 @@
 #include "rovio_sfm/io/odometry_file.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/tools/command_arguments.h"
 
 namespace rovio_sfm {
 namespace {
@@ -119,11 +120,7 @@ int ImagesToBagCommand(int argc, const char* const* argv, std::ostream& out) {
   app.add_option("--stride", stride, "every how manieth image")->check(CLI::Range(1, 1000000));
   app.add_option("--max-images", max_images, "stop after so many; 0: all");
   app.add_flag("--overwrite", overwrite, "replace the bag if it exists");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error, out, out);
-  }
+  if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
   DatasetFolder dataset = EveryNth(ReadDatasetFolder(folder), stride);
   if (max_images > 0 && dataset.images.size() > max_images) dataset.images.resize(max_images);
   WriteBag(dataset, robot, bag, overwrite);

@@ -11,6 +11,7 @@
 #include "rovio_sfm/io/calibration.h"
 #include "rovio_sfm/io/text_file.h"
 #include "rovio_sfm/io/write_file.h"
+#include "rovio_sfm/tools/command_arguments.h"
 #include "rovio_sfm/tools/list_images.h"
 #include "rovio_sfm/util/option_checker.h"
 
@@ -120,11 +121,7 @@ int CalibrateCameraCommand(int argc, const char* const* argv, std::ostream& out)
   app.add_option("--out", file, "camera_info YAML to write")->required();
   app.add_option("--name", name, "camera_name in the YAML");
   app.add_flag("--overwrite", overwrite, "replace the file");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error, out, out);
-  }
+  if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
   std::string error;
   if (!options.IsValid(&error)) throw std::runtime_error(error);
   const CalibrationReport report = CalibrateCamera(ListImages(arguments), options);

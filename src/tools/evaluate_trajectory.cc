@@ -8,6 +8,7 @@
 #include <string>
 
 #include "rovio_sfm/pipeline/evaluation.h"
+#include "rovio_sfm/tools/command_arguments.h"
 #include "rovio_sfm/tools/evaluation_json.h"
 
 namespace rovio_sfm {
@@ -42,11 +43,7 @@ int EvaluateTrajectoryCommand(int argc, const char* const* argv, std::ostream& o
       ->check(CLI::Range(1e-6, 1e6));
   app.add_option("--rpe-step", rpe_step_s, "time of the relative error, s")
       ->check(CLI::Range(1e-6, 1e6));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error, out, out);
-  }
+  if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
   const EvaluationOptions options{static_cast<int64_t>(max_gap_s * 1e9),
                                   static_cast<int64_t>(rpe_step_s * 1e9)};
   const auto report = EvaluateTrajectories(ReadDrives(files), options);

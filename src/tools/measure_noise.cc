@@ -8,6 +8,7 @@
 
 #include "rovio_sfm/features/decode_image.h"
 #include "rovio_sfm/io/text_file.h"
+#include "rovio_sfm/tools/command_arguments.h"
 #include "rovio_sfm/tools/list_images.h"
 
 namespace rovio_sfm {
@@ -74,11 +75,7 @@ int MeasureNoiseCommand(int argc, const char* const* argv, std::ostream& out) {
   CLI::App app("Measures a camera's noise from pictures of one flat, single-coloured surface");
   std::vector<std::string> arguments;
   app.add_option("images", arguments, "images, or folders of images")->required();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error, out, out);
-  }
+  if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
   const NoiseReport report = MeasureNoise(ListImages(arguments));
   out << "pictures " << report.num_pictures << "\nsigma " << report.sigma << " (blue "
       << report.sigma_bgr[0] << ", green " << report.sigma_bgr[1] << ", red " << report.sigma_bgr[2]
