@@ -8,6 +8,7 @@ if(BENCHMARKS)
   add_executable(benchmarks ${BENCHMARKS})
   rovio_compile_options(benchmarks)
   target_include_directories(benchmarks PRIVATE ${PROJECT_SOURCE_DIR}/test)
+  target_compile_definitions(benchmarks PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(benchmarks PRIVATE rovio_pipeline rovio_synthetic benchmark::benchmark_main)
 endif()
 
