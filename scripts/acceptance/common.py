@@ -18,6 +18,8 @@ DEVEL = (ROOT if BUILD == ROOT / "build" else BUILD) / "devel"
 PROGRAMS = DEVEL / "lib/rovio_sfm"
 DATA = pathlib.Path(os.environ.get("ROVIO_SFM_DATA", ROOT / "../shared/data")).resolve()
 WORK = ROOT / "out/accept"  # everything written here may be deleted
+MODEL = os.environ.get("ROVIO_SFM_PLACES", "")  # a place model instead of the shipped one
+PLACES = ("--places", MODEL) if MODEL else ()
 THREADS = 2  # of the machine that the acceptance speaks of; they change no result
 
 
@@ -57,10 +59,10 @@ def fresh_folder(name):
     return folder
 
 
-def map_images(name, folders, *options):
+def map_images(name, folders, *options, threads=THREADS):
     """Maps folders into out/accept/NAME and returns summary.json."""
     out = fresh_folder(name)
-    run(ROOT / "scripts/map_images", *folders, "--out", out, "--threads", THREADS, *options)
+    run(ROOT / "scripts/map_images", *folders, "--out", out, "--threads", threads, *PLACES, *options)
     return json.loads((out / "summary.json").read_text())
 
 

@@ -1,12 +1,11 @@
 """The acceptance of the first stage: from robot to map, one drive at a time."""
 
 import filecmp
-import os
 import re
 import subprocess
 
-from acceptance import robot_face
-from acceptance.common import (BUILD, DEVEL, PROGRAMS, ROOT, WORK, Line, Skipped, dataset, fresh_folder,
+from acceptance import colmap, robot_face
+from acceptance.common import (BUILD, DEVEL, PROGRAMS, ROOT, Line, Skipped, dataset, fresh_folder,
                                map_images, percent, render_tour, run)
 
 TOURS = ("visionlab", "turntable", "industrialArea", "pipeline", "engineRoom0", "engineRoom1",
@@ -93,43 +92,6 @@ def scale(_quick):
     return inside >= 18, f"{inside} of {len(errors)} seeds, worst scale error {100 * max(errors):.1f} %"
 
 
-def colmap(_quick):
-    holds, parts = True, []
-    for name in ("visionlab", "turntable"):
-        registered, frames = colmap_registers(render_tour(name, 0, 1))
-        holds = holds and registered >= 0.95 * frames
-        parts.append(f"{name} {registered} of {frames}")
-    return holds, ", ".join(parts)
-
-
-def colmap_registers(folder):
-    work = fresh_folder(f"colmap_{folder.name}")
-    (work / "sparse").mkdir(parents=True)
-    fx, fy, cx, cy, k1, k2, p1, p2, k3 = calibration(folder)[:9]
-    database = ("--database_path", work / "database.db")
-    offscreen = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
-    run("colmap", "feature_extractor", *database, "--image_path", folder / "images",
-        "--ImageReader.single_camera", 1, "--ImageReader.camera_model", "FULL_OPENCV",
-        "--ImageReader.camera_params", f"{fx},{fy},{cx},{cy},{k1},{k2},{p1},{p2},{k3},0,0,0",
-        "--SiftExtraction.use_gpu", 0, env=offscreen)
-    run("colmap", "sequential_matcher", *database, "--SequentialMatching.overlap", 10,
-        "--SiftMatching.use_gpu", 0, env=offscreen)
-    run("colmap", "mapper", *database, "--image_path", folder / "images", "--output_path",
-        work / "sparse", "--Mapper.ba_refine_focal_length", 0, "--Mapper.ba_refine_extra_params", 0,
-        "--Mapper.max_extra_param", 10, env=offscreen, check=False)
-    counts = [0]
-    for model in sorted((work / "sparse").iterdir()):
-        done = subprocess.run(["colmap", "model_analyzer", "--path", str(model)], capture_output=True,
-                              text=True, check=True)
-        counts += map(int, re.findall(r"Registered images: (\d+)", done.stdout + done.stderr))
-    return max(counts), len(list((folder / "images").iterdir()))
-
-
-def calibration(folder):
-    lines = (folder / "calibration.txt").read_text().splitlines()
-    return next(line for line in lines if line and not line.startswith("#")).split()
-
-
 def audit(_quick):
     """Every tour's figures; those that fall are named."""
     fallen, count = [], 0
@@ -202,7 +164,8 @@ LINES = [
     Line("tours_noise", "tours with noise 10: >= 95 % registered, <= 1.2 % of the path, <= 0.5 deg, "
          "one session", tours_with_noise, True),
     Line("scale", "visionlab: true scale inside 2 sigma for >= 18 of 20 seeds", scale, False),
-    Line("colmap", "COLMAP registers >= 95 % of noise-free visionlab and turntable", colmap, False),
+    Line("colmap", "COLMAP registers >= 95 % of noise-free visionlab and turntable, mean track length "
+         "< 10, error > 0.2 px", colmap.check, False),
     Line("audit", "the simulator's audit holds", audit, False),
     Line("replay", "replay twice, one and two threads, beside a busy process: equal bytes", replay, True),
     Line("curl", "curl gets from rovio_sim what rovio-http.md says", robot_face.check, True),

@@ -27,6 +27,8 @@ void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
                   "place model for merging and loops; none: without; else the shipped one");
   app->add_option("--max-overlaps", arguments->mapper.mapper.merge.max_overlaps,
                   "overlaps used of two drives; 0: all");
+  app->add_flag("!--no-pose-graph", arguments->mapper.mapper.merge.use_pose_graph,
+                "close loops by adjustment alone");
   app->add_flag("--overwrite", arguments->overwrite, "replace the results of an earlier run");
 }
 

@@ -61,7 +61,7 @@ TEST(LoadWorld, NamesAFileThatIsNotThere) {
 }
 
 TEST(LoadWorld, EveryShippedWorldIsValid) {
-  for (const char* name : {"laboratory", "engine_room"}) {
+  for (const char* name : {"laboratory", "engine_room", "repeats_a", "repeats_b"}) {
     const WorldSpec world =
         LoadWorld(std::string(ROVIO_SOURCE_DIR "/config/worlds/") + name + ".yaml");
     EXPECT_EQ(world.name, name);

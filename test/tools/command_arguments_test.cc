@@ -39,6 +39,15 @@ TEST(CompleteMappingArguments, OverridesOnlyWhatWasSaid) {
   EXPECT_EQ(arguments.mapper.mapper.seed, 5u);
 }
 
+TEST(DeclareMappingArguments, TurnsThePoseGraphOffOnlyIfTold) {
+  MappingArguments arguments;
+  ASSERT_FALSE(Parse({"--out", "x", "--max-overlaps", "1"}, &arguments));
+  EXPECT_TRUE(arguments.mapper.mapper.merge.use_pose_graph);
+  EXPECT_EQ(arguments.mapper.mapper.merge.max_overlaps, 1);
+  ASSERT_FALSE(Parse({"--out", "x", "--no-pose-graph"}, &arguments));
+  EXPECT_FALSE(arguments.mapper.mapper.merge.use_pose_graph);
+}
+
 TEST(CompleteMappingArguments, RefusesWhatIsOutOfRange) {
   MappingArguments arguments;
   ASSERT_FALSE(Parse({"--out", "x", "--features", "0"}, &arguments));
