@@ -20,11 +20,6 @@ std::vector<CrossMatch> MatchesOf(const Session& a, const Session& b, uint32_t q
   return matches;
 }
 
-std::vector<CrossMatch> Swapped(std::vector<CrossMatch> matches) {
-  for (CrossMatch& match : matches) std::swap(match.a, match.b);
-  return matches;
-}
-
 // The query camera among the landmarks of session a.
 std::optional<Resection> ResectQuery(const std::vector<CrossMatch>& matches,
                                      const MapperOptions& options) {
@@ -48,10 +43,22 @@ std::optional<Resection> ResectQuery(const std::vector<CrossMatch>& matches,
   return resection;
 }
 
-AlignReport AlignByResection(const std::vector<CrossMatch>& matches, const Rigid3& cam_from_a,
-                             const Rigid3& cam_from_b, const AlignOptions& options) {
-  AlignReport report = AlignFromPose(Swapped(matches), cam_from_b, cam_from_a, options);
-  if (report.alignment) report.alignment->b_from_a = Inverse(report.alignment->b_from_a);
+// What the odometry of both sessions says of their scales.
+std::optional<ScalePrior> PriorOf(const Session& a, const Session& b) {
+  if (!a.scale() || !b.scale()) return std::nullopt;
+  return ScalePrior{a.scale()->metres_per_unit / b.scale()->metres_per_unit,
+                    std::hypot(a.scale()->sigma_log, b.scale()->sigma_log)};
+}
+
+// From the query camera resected in a: by the depths of common landmarks, or by odometry.
+AlignReport AlignByResection(const std::vector<CrossMatch>& matches, const Rigid3& query_from_a,
+                             const Rigid3& query_from_b, const std::optional<ScalePrior>& prior,
+                             const AlignOptions& options) {
+  AlignReport report = AlignFromPose(matches, query_from_a, query_from_b, options);
+  if (report.alignment || !prior) return report;
+  report = RefineAlignment(matches, SimilarityFromCamera(query_from_a, query_from_b, prior->scale),
+                           options, prior);
+  if (report.alignment) report.alignment->by_resection = true;
   return report;
 }
 
@@ -80,8 +87,9 @@ OverlapAlignment AlignOverlap(const Session& a, const Session& b, uint32_t query
   if (report.alignment) return Conclude(report, matches);
   const auto resection = ResectQuery(matches, options);
   if (!resection) return Conclude(report, matches);
-  const AlignReport resected = AlignByResection(
-      matches, resection->cam_from_map, b.keyframe(query).cam_from_session, options.merge.align);
+  const Rigid3& query_from_b = b.keyframe(query).cam_from_session;
+  const AlignReport resected = AlignByResection(matches, resection->cam_from_map, query_from_b,
+                                                PriorOf(a, b), options.merge.align);
   return Conclude(resected.alignment ? resected : report, matches);
 }
 
@@ -95,7 +103,11 @@ OverlapAlignment AlignLinks(const Session& a, const Session& b,
                          {{link.a.feature, link.b.feature}});
     matches.insert(matches.end(), found.begin(), found.end());
   }
-  return Conclude(RefineAlignment(matches, b_from_a, options.merge.align), matches);
+  AlignReport report = RefineAlignment(matches, b_from_a, options.merge.align);
+  if (!report.alignment) {
+    report = RefineAlignment(matches, b_from_a, options.merge.align, PriorOf(a, b));
+  }
+  return Conclude(report, matches);
 }
 
 }  // namespace rovio_sfm

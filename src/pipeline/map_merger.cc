@@ -7,6 +7,7 @@
 #include "rovio_sfm/pipeline/confirm_overlap.h"
 #include "rovio_sfm/pipeline/share_scales.h"
 #include "rovio_sfm/pipeline/spread_gap.h"
+#include "rovio_sfm/pipeline/try_loop.h"
 
 namespace rovio_sfm {
 namespace {
@@ -92,8 +93,21 @@ bool MapMerger::TryNow(const PlaceMatch& match, const SessionTable& sessions,
   const bool used_up =
       max_overlaps > 0 && ledger_.CountAccepted(match.query.drive, other.drive()) >= max_overlaps;
   if (used_up || IsSeparated(query->id(), other.id())) return true;
-  Judge(match, TryOverlap(other, *query, match.query, pairs.at(other.id()), options_, *store_),
-        sessions);
+  const std::vector<OverlapPair>& of_other = pairs.at(other.id());
+  if (LinkLoop(match, other.id(), query->id(), of_other, sessions)) return true;
+  Judge(match, TryOverlap(other, *query, match.query, of_other, options_, *store_), sessions);
+  return true;
+}
+
+// An overlap within one map that fits it as it is only adds its links.
+bool MapMerger::LinkLoop(const PlaceMatch& match, SessionId a, SessionId b,
+                         const std::vector<OverlapPair>& pairs, const SessionTable& sessions) {
+  const MapPlace place_a = ledger_.PlaceOf(a), place_b = ledger_.PlaceOf(b);
+  if (!(place_a.map == place_b.map)) return false;
+  auto trial = TryLoop({sessions.Find(a), place_a.map_from_session},
+                       {sessions.Find(b), place_b.map_from_session}, match.query, pairs, options_);
+  if (!trial) return false;
+  ledger_.Keep({std::move(trial->report), match, std::move(trial->links), {}});
   return true;
 }
 

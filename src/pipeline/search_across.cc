@@ -95,7 +95,12 @@ AcrossReport SearchAcross(const Session& a, const FrameRange& range_a, const Ses
   const Rigid3 cam_from_a = TransformCamera(Inverse(b_from_a), keyframe.cam_from_session);
   for (const auto& [id, landmark] : a.landmarks()) {
     if (!IsSeenIn(landmark, range_a)) continue;
-    if (&a == &b && IsSeenIn(landmark, {frame_b, frame_b})) continue;
+    if (&a == &b && IsSeenIn(landmark, {frame_b, frame_b})) {
+      const bool counts = landmark.observations.size() >= static_cast<size_t>(options.min_views);
+      report.num_expected += counts ? 1 : 0;
+      report.num_found += counts ? 1 : 0;
+      continue;
+    }
     const auto predicted = Predict(cam_from_a, landmark, b.camera(), options.radius_px);
     if (!predicted) continue;
     const NearestView view = FindNearestView(a, landmark, OriginInA(cam_from_a));

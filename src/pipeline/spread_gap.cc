@@ -16,6 +16,7 @@ constexpr size_t kMinSharedLinks = 15;      // links that tie two frames
 constexpr double kSigmaRotation = 0.002;    // rad, of a step between neighbours
 constexpr double kSigmaTranslation = 0.01;  // of a step, as a share of its length
 constexpr double kSigmaLogScale = 0.003;    // of a step: what drifts most in a monocular map
+constexpr double kLoopSigma = 0.5;          // of the loop, in sigmas of a step: it is seen at once
 
 Sim3 ToSim3(const Rigid3& rigid) { return {1.0, rigid.rotation, rigid.translation}; }
 
@@ -33,7 +34,7 @@ class GraphBuilder {
     const PlacedSession &in_a = PlacedOf(loop.other_session), &in_b = PlacedOf(loop.query_session);
     const Sim3 other_from_a = graph_.nodes[*a].node_from_map * in_a.map_from_session;
     const Sim3 query_from_b = graph_.nodes[*b].node_from_map * in_b.map_from_session;
-    AddEdge(*a, *b, query_from_b * loop.query_from_other * Inverse(other_from_a), true);
+    AddEdge(*a, *b, query_from_b * loop.query_from_other * Inverse(other_from_a), kLoopSigma, true);
   }
 
   // Frames that accepted links join keep their relative pose.
@@ -45,7 +46,7 @@ class GraphBuilder {
       if (a && b && *a != *b) ++shared[{std::min(*a, *b), std::max(*a, *b)}];
     }
     for (const auto& [pair, count] : shared) {
-      if (count >= kMinSharedLinks) AddEdge(pair.first, pair.second, std::nullopt, false);
+      if (count >= kMinSharedLinks) AddEdge(pair.first, pair.second, std::nullopt, 1.0, false);
     }
   }
 
@@ -70,18 +71,23 @@ class GraphBuilder {
       const auto node = static_cast<uint32_t>(graph_.nodes.size());
       graph_.nodes.push_back({ToSim3(CamFromMap(placed, index)), node == 0});
       nodes_[{placed.session->id(), index}] = node;
-      for (const uint32_t before : recent) AddEdge(before, node, std::nullopt, false);
+      for (size_t i = 0; i < recent.size(); ++i) {
+        const auto steps = static_cast<double>(recent.size() - i);  // drift grows with them
+        AddEdge(recent[i], node, std::nullopt, steps, false);
+      }
       recent.push_back(node);
       if (recent.size() > kNeighbours) recent.erase(recent.begin());
     }
   }
 
-  // As measured, or as the nodes stand.
-  void AddEdge(uint32_t a, uint32_t b, const std::optional<Sim3>& measured, bool switchable) {
+  // As measured, or as the nodes stand; sigma in those of one step.
+  void AddEdge(uint32_t a, uint32_t b, const std::optional<Sim3>& measured, double sigma,
+               bool switchable) {
     const Sim3 stands = graph_.nodes[b].node_from_map * Inverse(graph_.nodes[a].node_from_map);
     const double length = std::max(stands.translation.norm(), 1e-6);
-    graph_.edges.push_back({a, b, measured.value_or(stands), kSigmaRotation,
-                            kSigmaTranslation * length, kSigmaLogScale, switchable});
+    graph_.edges.push_back({a, b, measured.value_or(stands), sigma * kSigmaRotation,
+                            sigma * kSigmaTranslation * length, sigma * kSigmaLogScale,
+                            switchable});
   }
 
   const std::vector<PlacedSession>& sessions_;

@@ -148,8 +148,9 @@ std::vector<double> NeighbourScales(const Session& a, const Session& b, const Ov
   return log_scales;
 }
 
-void Judge(const Session& a, const Session& b, const MapperOptions& options,
-           const FrameStore& store, OverlapTrial* trial) {
+// Judges by what the query frame shows of the other session's landmarks.
+void Judge(const Session& a, const Session& b, const std::vector<double>& neighbour_log_scales,
+           const MapperOptions& options, const FrameStore& store, OverlapTrial* trial) {
   MergeReport& report = trial->report;
   const AcrossReport seen =
       SearchAcross(a, RangeOf(a, b, report.other.index), b, report.query.index,
@@ -162,7 +163,7 @@ void Judge(const Session& a, const Session& b, const MapperOptions& options,
   evidence.inliers = InliersOf(a, b, *trial);
   evidence.num_visible = static_cast<int>(seen.num_expected);
   evidence.num_visible_matched = static_cast<int>(seen.num_found);
-  evidence.neighbour_log_scales = NeighbourScales(a, b, *trial, options);
+  evidence.neighbour_log_scales = neighbour_log_scales;
   const EvidenceVerdict verdict = JudgeOverlap(evidence, options.merge.evidence);
   report.verdict = verdict.verdict;
   report.reason = verdict.text;
@@ -185,8 +186,10 @@ OverlapTrial TryOverlap(const Session& a, const Session& b, const FrameId& query
   FillReport(aligned, &report);
   if (!aligned.alignment) return trial;
   trial.links = LinksOf(a, b, aligned.inliers);
+  Judge(a, b, {}, options, store, &trial);
+  if (report.verdict == MergeVerdict::kRefused) return trial;  // the search would cost most
   SearchAndAlign(a, b, options, store, &trial);
-  Judge(a, b, options, store, &trial);
+  Judge(a, b, NeighbourScales(a, b, trial, options), options, store, &trial);
   return trial;
 }
 

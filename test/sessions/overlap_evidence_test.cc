@@ -91,7 +91,7 @@ TEST(JudgeOverlap, LetsAbsenceRefute) {
 
 TEST(JudgeOverlap, HoldsBackALowOrUnknownShare) {
   OverlapEvidence evidence = CompleteEvidence();
-  evidence.num_visible_matched = 29;
+  evidence.num_visible_matched = 19;
   EXPECT_EQ(JudgeOverlap(evidence, {}).reason, EvidenceReason::kLowShare);
   evidence.num_visible = 10;
   evidence.num_visible_matched = 0;  // of so few, none says nothing

@@ -59,6 +59,8 @@ class MapMerger {
   };
 
   bool TryNow(const PlaceMatch& match, const SessionTable& sessions, std::string* why_not);
+  bool LinkLoop(const PlaceMatch& match, SessionId a, SessionId b,
+                const std::vector<OverlapPair>& pairs, const SessionTable& sessions);
   void Judge(const PlaceMatch& match, OverlapTrial trial, const SessionTable& sessions);
   void Accept(MergeRecord* record, const SessionTable& sessions);
   void KeepBefore(const SessionTable& sessions, MergeRecord* record) const;

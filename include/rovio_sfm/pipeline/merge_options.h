@@ -13,7 +13,7 @@ struct MergeOptions {
   bool automatic = true;      // place matches merge by themselves; false: by service only
   int min_keyframes = 8;      // a running session with fewer is not merged yet; 3 to 1000
   int seed_after = 8;         // held keyframes from which a session is started from a map it sees
-  int search_neighbours = 3;  // keyframes on both sides of an overlap that are searched; 0 to 20
+  int search_neighbours = 2;  // keyframes on both sides of an overlap that are searched; 0 to 20
   int patience = 400;         // keyframes after which a match stops waiting; 1 to 1 000 000
   int max_overlaps = 0;       // place matches used of two drives; 0: all; 0 to 1 000 000
   // Two provisional overlaps confirm each other where they share at most this part of the

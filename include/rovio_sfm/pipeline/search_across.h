@@ -42,7 +42,8 @@ struct AcrossReport {
 
 // Projects the landmarks of session a that frames of the range see into a keyframe of session b by
 // a similarity and looks for each by its descriptor (§4.3.1, matching around an overlap, guided).
-// a and b may be one session: landmarks that the frame observes already are left out.
+// a and b may be one session: landmarks that the frame observes already count as found, without
+// a link.
 AcrossReport SearchAcross(const Session& a, const FrameRange& range_a, const Session& b,
                           uint32_t frame_b, const Sim3& b_from_a,
                           const SearchAcrossOptions& options, const FrameStore& store);

@@ -1,0 +1,62 @@
+#include "rovio_sfm/pipeline/align_overlap.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "pipeline/two_drives.h"
+
+namespace rovio_sfm {
+namespace {
+
+double ErrorOf(const SessionAlignment& alignment) {
+  const Sim3 gap = alignment.b_from_a * Inverse(OtherGauge());
+  return std::abs(std::log(gap.scale)) + RotationAngle(gap.rotation) + gap.translation.norm();
+}
+
+TEST(AlignOverlap, IsExactWithoutNoise) {
+  const TwoDrives two = MakeTwoDrives();
+  const Session a = MappedSession(two, false, {}), b = MappedSession(two, true, OtherGauge());
+  const PlaceMatch match = TrueOverlap(two, 8, 8);
+  const OverlapAlignment aligned = AlignOverlap(a, b, 8, match.pairs, MapperOptions());
+  ASSERT_TRUE(aligned.alignment) << aligned.reason;
+  EXPECT_LT(ErrorOf(*aligned.alignment), 1e-6);
+  EXPECT_FALSE(aligned.alignment->by_resection);
+}
+
+TEST(AlignOverlap, ResectsWhereFewLandmarksAreCommon) {
+  const TwoDrives two = MakeTwoDrives();
+  Session a = MappedSession(two, false, {}), b = MappedSession(two, true, OtherGauge());
+  const PlaceMatch match = TrueOverlap(two, 8, 8);
+  // All but a few of the query's landmarks are gone: three points make no reliable 3D-3D model.
+  size_t kept = 0;
+  for (const FeatureMatch& inlier : match.pairs[0].inliers) {
+    const TrackId track = b.keyframe(8).tracks[inlier.b];
+    if (b.FindLandmark(track) == nullptr || ++kept <= 6) continue;
+    b.RemoveLandmark(track);
+  }
+  const OverlapAlignment aligned = AlignOverlap(a, b, 8, match.pairs, MapperOptions());
+  ASSERT_TRUE(aligned.alignment) << aligned.reason;
+  EXPECT_LT(ErrorOf(*aligned.alignment), 1e-3);
+}
+
+TEST(AlignOverlap, SaysWhyThereIsNone) {
+  const TwoDrives two = MakeTwoDrives();
+  const Session a = MappedSession(two, false, {}), b = MappedSession(two, true, OtherGauge());
+  const OverlapAlignment aligned = AlignOverlap(a, b, 8, {}, MapperOptions());
+  EXPECT_FALSE(aligned.alignment);
+  EXPECT_NE(aligned.reason.find("no alignment"), std::string::npos);
+}
+
+TEST(AlignLinks, RefinesFromAPoorStart) {
+  const TwoDrives two = MakeTwoDrives();
+  const Session a = MappedSession(two, false, {}), b = MappedSession(two, true, OtherGauge());
+  const Sim3 nudge{1.01, Eigen::Quaterniond::Identity(), {0.01, 0.0, 0.01}};
+  const OverlapAlignment aligned = AlignLinks(a, b, LinksOf(TrueOverlap(two, 8, 8), a.id(), b.id()),
+                                              nudge * OtherGauge(), MapperOptions());
+  ASSERT_TRUE(aligned.alignment) << aligned.reason;
+  EXPECT_LT(ErrorOf(*aligned.alignment), 1e-5);
+}
+
+}  // namespace
+}  // namespace rovio_sfm
