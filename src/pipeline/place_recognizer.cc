@@ -112,39 +112,51 @@ std::vector<PlaceMatch> PlaceRecognizer::Match(const PlaceFrame& query,
   std::vector<PlaceMatch> matches;
   for (const PlaceCandidate& candidate : proposal.candidates) {
     ++counters_.candidates;
-    const std::optional<PlaceFrame> frame = FindFrame(candidate.id);
-    if (!frame) {
-      ++counters_.out_of_reach;
-      continue;
-    }
-    PlaceVerification verification = VerifyPlace(*frame, query, options_.verify, options_.seed);
-    if (!IsAccepted(verification)) continue;
-    matches.push_back({query.id, candidate.probability, proposal.result.score, {}});
-    matches.back().pairs.push_back(std::move(verification.pair));
-    AddAround(query, &matches.back());
-    counters_.pairs += matches.back().pairs.size();
+    std::optional<OverlapPair> pair = Verify(query, candidate.id);
+    if (!pair) continue;
+    KeepBest({query.id, candidate.probability, proposal.result.score, {std::move(*pair)}},
+             &matches);
   }
+  for (PlaceMatch& match : matches) AddAround(query, &match);
   if (!matches.empty()) ++counters_.matched_queries;
   return matches;
 }
 
-bool PlaceRecognizer::IsAccepted(const PlaceVerification& verification) {
-  switch (verification.refusal) {
-    case PlaceRefusal::kGeometry:
-      ++counters_.refused_geometry;
-      return false;
-    case PlaceRefusal::kSpread:
-      ++counters_.refused_spread;
-      return false;
-    case PlaceRefusal::kNone:
-      ++counters_.accepted;
-      return true;
+std::optional<OverlapPair> PlaceRecognizer::Verify(const PlaceFrame& query, const FrameId& other) {
+  const std::optional<PlaceFrame> frame = FindFrame(other);
+  if (!frame) {
+    ++counters_.out_of_reach;
+    return std::nullopt;
   }
-  return false;
+  PlaceVerification verification = VerifyPlace(*frame, query, options_.verify, options_.seed);
+  if (!IsAccepted(verification)) return std::nullopt;
+  return std::move(verification.pair);
+}
+
+// Of several matches with one drive the one with most inliers stays: a repeated object may have
+// been proposed before the place itself.
+void PlaceRecognizer::KeepBest(PlaceMatch match, std::vector<PlaceMatch>* matches) {
+  const auto rival = std::find_if(matches->begin(), matches->end(), [&](const PlaceMatch& other) {
+    return other.pairs.front().other.drive == match.pairs.front().other.drive;
+  });
+  if (rival == matches->end()) {
+    matches->push_back(std::move(match));
+    return;
+  }
+  ++counters_.outdone;
+  if (match.pairs.front().inliers.size() > rival->pairs.front().inliers.size()) {
+    *rival = std::move(match);
+  }
+}
+
+bool PlaceRecognizer::IsAccepted(const PlaceVerification& verification) {
+  if (verification.refusal == PlaceRefusal::kGeometry) ++counters_.refused_geometry;
+  if (verification.refusal == PlaceRefusal::kSpread) ++counters_.refused_spread;
+  return verification.refusal == PlaceRefusal::kNone;
 }
 
 // The frames before and after the matched one (§4.3.1).
-void PlaceRecognizer::AddAround(const PlaceFrame& query, PlaceMatch* match) const {
+void PlaceRecognizer::AddAround(const PlaceFrame& query, PlaceMatch* match) {
   const FrameId center = match->pairs.front().other;
   const auto count = static_cast<size_t>(options_.verify.max_neighbors);
   const FindPlaceFrame find = [&](const FrameId& id) {
@@ -156,6 +168,8 @@ void PlaceRecognizer::AddAround(const PlaceFrame& query, PlaceMatch* match) cons
       match->pairs.push_back(std::move(pair));
     }
   }
+  ++counters_.matches;
+  counters_.pairs += match->pairs.size();
 }
 
 std::optional<PlaceFrame> PlaceRecognizer::FindFrame(const FrameId& id) const {

@@ -13,7 +13,8 @@ PlaceStatus ToMessage(const PlaceCounters& counters) {
   message.num_out_of_reach = counters.out_of_reach;
   message.num_refused_geometry = counters.refused_geometry;
   message.num_refused_spread = counters.refused_spread;
-  message.num_accepted = counters.accepted;
+  message.num_outdone = counters.outdone;
+  message.num_matches = counters.matches;
   message.num_matched_queries = counters.matched_queries;
   message.num_pairs = counters.pairs;
   return message;

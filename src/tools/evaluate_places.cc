@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "rovio_sfm/io/write_file.h"
+#include "rovio_sfm/tools/command_arguments.h"
 #include "rovio_sfm/tools/place_model_option.h"
 #include "rovio_sfm/tools/place_trial.h"
 
@@ -117,7 +118,8 @@ nlohmann::ordered_json CountersJson(const PlaceCounters& counters) {
           {"candidates", counters.candidates},
           {"refused_geometry", counters.refused_geometry},
           {"refused_spread", counters.refused_spread},
-          {"accepted", counters.accepted},
+          {"outdone", counters.outdone},
+          {"matches", counters.matches},
           {"matched_queries", counters.matched_queries},
           {"pairs", counters.pairs}};
 }
@@ -207,11 +209,7 @@ int EvaluatePlacesCommand(int argc, const char* const* argv, std::ostream& out) 
   CLI::App app("Measures place recognition: precision and recall, before and after geometry");
   Arguments arguments;
   Declare(&arguments, &app);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error, out, out);
-  }
+  if (const std::optional<int> status = ParseArguments(&app, argc, argv, out)) return *status;
   cv::setNumThreads(1);  // the threads are ours
   CheckArguments(&arguments);
   Evaluate(arguments, out);

@@ -1,6 +1,8 @@
 #include "rovio_sfm/tools/place_truth.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -92,7 +94,9 @@ PlaceLabel LabelOfOverlap(double covisible_share, double angle_deg) {
 
 PlaceLabel LabelOfPoses(const Rigid3& world_from_a, const Rigid3& world_from_b) {
   const double distance_m = (world_from_a.translation - world_from_b.translation).norm();
-  const double angle_rad = world_from_a.rotation.angularDistance(world_from_b.rotation);
+  const Eigen::Vector3d axis_a = world_from_a.rotation * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d axis_b = world_from_b.rotation * Eigen::Vector3d::UnitZ();
+  const double angle_rad = std::acos(std::clamp(axis_a.dot(axis_b), -1.0, 1.0));
   if (distance_m > 1.5 || angle_rad > 60.0 * kRadPerDeg) return PlaceLabel::kNegative;
   const bool is_positive = distance_m <= 0.5 && angle_rad <= 30.0 * kRadPerDeg;
   return is_positive ? PlaceLabel::kPositive : PlaceLabel::kBetween;

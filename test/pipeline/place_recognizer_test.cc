@@ -76,6 +76,19 @@ TEST_F(PlaceRecognizerTest, DriveMatchesAPlaceThatItReturnsTo) {
   EXPECT_LT(matches[0].pairs.front().other.index, kCams);
 }
 
+TEST_F(PlaceRecognizerTest, EachDriveMatchesOnceBest) {
+  PlaceRecognizer places = Make();
+  Pass(hall_, kFirst, 0, &places);
+  Pass(attic_, kFirst, kCams, &places);
+  Pass(hall_, kFirst, 2 * kCams, &places);
+  Pass(hall_, {"third", 3, 1}, 0, &places);
+  const uint64_t num_outdone = places.counters().outdone;
+  const std::vector<PlaceMatch> matches = places.Add(Event(hall_, kSecond, 2));
+  ASSERT_EQ(matches.size(), 2u);
+  EXPECT_NE(matches[0].pairs.front().other.drive, matches[1].pairs.front().other.drive);
+  EXPECT_EQ(places.counters().outdone, num_outdone + 1);
+}
+
 TEST_F(PlaceRecognizerTest, ForeignRoomIsRefusedAndCounted) {
   PlaceRecognizer places = Make();
   Pass(hall_, kFirst, 0, &places);
@@ -178,15 +191,6 @@ TEST_F(PlaceRecognizerTest, SameCallsGiveTheSameMatches) {
     }
   }
   EXPECT_GT(once.counters().matched_queries, 0u);
-}
-
-TEST(PlaceRecognizerOptions, NamesWhatIsOutOfRange) {
-  PlaceRecognizerOptions options;
-  std::string error;
-  EXPECT_TRUE(options.IsValid(&error)) << error;
-  options.candidates.max_candidates = 0;
-  EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_NE(error.find("max_candidates"), std::string::npos);
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ TEST(PlaceStatusMessage, CarriesEveryCount) {
   c.out_of_reach = 8;
   c.refused_geometry = 9;
   c.refused_spread = 10;
-  c.accepted = 11;
+  c.outdone = 11;
+  c.matches = 14;
   c.matched_queries = 12;
   c.pairs = 13;
   const PlaceStatus m = ToMessage(c);
@@ -24,7 +25,7 @@ TEST(PlaceStatusMessage, CarriesEveryCount) {
                                    m.num_only_recent, m.num_low_score, m.num_candidates,
                                    m.num_out_of_reach, m.num_refused_geometry, m.num_refused_spread,
                                    m.num_accepted, m.num_matched_queries, m.num_pairs}),
-            (std::vector<uint64_t>{1, 2, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13}));
+            (std::vector<uint64_t>{1, 2, 4, 5, 6, 7, 8, 9, 10, 11, 14, 12, 13}));
 }
 
 }  // namespace

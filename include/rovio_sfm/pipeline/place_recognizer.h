@@ -30,7 +30,8 @@ struct PlaceCounters {
   uint64_t out_of_reach = 0;      // of them: the store has no features
   uint64_t refused_geometry = 0;  // of them: too few inliers
   uint64_t refused_spread = 0;    // of them: the inliers crowd in a part of the image
-  uint64_t accepted = 0;          // of them: matches
+  uint64_t outdone = 0;           // of them: another frame of the same drive matched better
+  uint64_t matches = 0;           // of them: one per query and drive at most
   uint64_t matched_queries = 0;   // queries with a match or more
   uint64_t pairs = 0;             // frames in matches, those around the matched one included
 };
@@ -44,8 +45,8 @@ class PlaceRecognizer {
   PlaceRecognizer(const PlaceRecognizerOptions& options, std::shared_ptr<const PlaceModel> model,
                   const FrameStore* store, StageTimes* times = nullptr);
 
-  // Asks for the place of a keyframe, then remembers it: one match per place recognised, most
-  // likely first. Light frames are ignored; what else is ignored, last_refusal explains.
+  // Asks for the place of a keyframe, then remembers it: one match at most with each drive, its own
+  // included, most likely first. Light frames are ignored; what else is, last_refusal explains.
   std::vector<PlaceMatch> Add(const FrameEvent& event);
   // Remembers a keyframe without asking.
   void Remember(const FrameEvent& event);
@@ -70,8 +71,10 @@ class PlaceRecognizer {
                                      const std::set<FrameId>& queries) const;
   std::vector<uint32_t> WordsOf(const FrameFeatures& features) const;
   std::vector<PlaceMatch> Match(const PlaceFrame& query, const PlaceProposal& proposal);
+  std::optional<OverlapPair> Verify(const PlaceFrame& query, const FrameId& other);
   bool IsAccepted(const PlaceVerification& verification);
-  void AddAround(const PlaceFrame& query, PlaceMatch* match) const;
+  void KeepBest(PlaceMatch match, std::vector<PlaceMatch>* matches);
+  void AddAround(const PlaceFrame& query, PlaceMatch* match);
   std::optional<PlaceFrame> FindFrame(const FrameId& id) const;
 
   PlaceRecognizerOptions options_;

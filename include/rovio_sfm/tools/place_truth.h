@@ -15,8 +15,8 @@ enum class PlaceLabel : uint8_t { kNegative = 0, kBetween = 1, kPositive = 2 };
 
 // From overlaps: positive from 40 % of the pixels and below 25 degrees, negative below 5 %.
 PlaceLabel LabelOfOverlap(double covisible_share, double angle_deg);
-// From poses: positive within 0.5 m and 30 degrees (of the whole rotation), negative beyond 1.5 m
-// or 60 degrees.
+// From poses: positive within 0.5 m and 30 degrees between the optical axes (a camera may roll),
+// negative beyond 1.5 m or 60 degrees.
 PlaceLabel LabelOfPoses(const Rigid3& world_from_a, const Rigid3& world_from_b);
 
 // Some images of a data-set folder, by their index in it.

@@ -1,0 +1,76 @@
+#include "rovio_sfm/tools/evaluate_places.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "places/random_place_model.h"
+#include "rovio_sfm/pipeline/place_model_file.h"
+#include "tools/command_line.h"
+#include "tools/place_folder.h"
+#include "util/temporary_folder.h"
+
+namespace rovio_sfm {
+namespace {
+
+// Two folders of views of two walls, and a place model of random words.
+class EvaluatePlacesTest : public testing::Test {
+ protected:
+  EvaluatePlacesTest() {
+    WritePlaceFolder(folder_.Path() / "a", 6, 1);
+    WritePlaceFolder(folder_.Path() / "b", 2, 2);
+    SavePlaceModel(RandomPlaceModel(60, 20, 1), folder_.Path() / "random.places",
+                   Overwrite::kRefuse);
+  }
+
+  std::string PathOf(const std::string& name) const { return (folder_.Path() / name).string(); }
+
+  int Run(std::vector<std::string> more) {
+    std::vector<std::string> arguments{"--query",       PathOf("a") + "@4:5",
+                                       "--database",    PathOf("a") + "@0:3",
+                                       "--distractors", PathOf("b"),
+                                       "--model",       PathOf("random.places"),
+                                       "--min-score",   "-1e5",
+                                       "--threads",     "1"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunCommand(EvaluatePlacesCommand, arguments, &printed_);
+  }
+
+  TemporaryFolder folder_;
+  std::string printed_;
+};
+
+TEST_F(EvaluatePlacesTest, WritesSummaryCurvesAndAnswers) {
+  ASSERT_EQ(Run({"--truth", "overlaps", "--out", PathOf("out")}), 0) << printed_;
+  std::ifstream file(PathOf("out/summary.json"));
+  const auto summary = nlohmann::json::parse(file);
+  EXPECT_EQ(summary["queries"], 2);
+  EXPECT_EQ(summary["queries_with_positive"], 2);
+  EXPECT_EQ(summary["places"], 6);
+  for (const char* method : {"fabmap", "fabmap_verified", "tf_idf"}) {
+    EXPECT_TRUE(summary[method].contains("area_under_curve")) << method;
+  }
+  EXPECT_TRUE(std::filesystem::exists(PathOf("out/curves.csv")));
+  EXPECT_TRUE(std::filesystem::exists(PathOf("out/answers.csv")));
+}
+
+TEST_F(EvaluatePlacesTest, TakesTruthFromAMatrix) {
+  std::ofstream(PathOf("truth.txt")) << "1 0 -1 0\n0 0 0 0\n";
+  ASSERT_EQ(Run({"--matrix", PathOf("truth.txt"), "--out", PathOf("out")}), 0) << printed_;
+  std::ifstream file(PathOf("out/summary.json"));
+  EXPECT_EQ(nlohmann::json::parse(file)["queries_with_positive"], 1);
+}
+
+TEST_F(EvaluatePlacesTest, KeepsAnOlderSummaryUnlessTold) {
+  ASSERT_EQ(Run({"--out", PathOf("out")}), 0) << printed_;
+  EXPECT_THROW(Run({"--out", PathOf("out")}), std::runtime_error);
+  EXPECT_EQ(Run({"--out", PathOf("out"), "--overwrite"}), 0);
+}
+
+TEST_F(EvaluatePlacesTest, RefusesOddOptions) {
+  EXPECT_THROW(Run({"--out", PathOf("out"), "--candidates", "0"}), std::runtime_error);
+  EXPECT_NE(Run({"--out", PathOf("out"), "--truth", "hearsay"}), 0);
+}
+
+}  // namespace
+}  // namespace rovio_sfm

@@ -1,0 +1,66 @@
+#include "rovio_sfm/tools/place_trial.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/place_frames.h"
+#include "tools/place_folder.h"
+#include "util/temporary_folder.h"
+
+namespace rovio_sfm {
+namespace {
+
+PlaceImage ImageOf(const SyntheticRoom& room, uint32_t folder, uint32_t cam) {
+  const FrameId id{{"folder_" + std::to_string(folder), folder, 0}, cam};
+  return {"image", id, room.world().camera, room.FeaturesOf(cam)};
+}
+
+TEST(PlaceTrial, FindsEveryImageOfAKnownRoomByEachMethod) {
+  const SyntheticRoom hall(1, 4), attic(2, 4);
+  std::vector<PlaceImage> queries, database;
+  for (uint32_t cam = 0; cam < 4; ++cam) {
+    queries.push_back(ImageOf(hall, 0, cam));
+    database.push_back(ImageOf(attic, 1, cam));
+  }
+  for (uint32_t cam = 0; cam < 4; ++cam) database.push_back(ImageOf(hall, 2, cam));
+  const PlaceTrial trial = RunPlaceTrial(queries, database, ModelOf({&hall, &attic}), {});
+  for (const auto* answers : {&trial.fabmap, &trial.verified, &trial.tf_idf}) {
+    ASSERT_EQ(answers->size(), 4u);
+    for (const auto& answer : *answers) {
+      ASSERT_TRUE(answer);
+      EXPECT_GE(answer->other, 4u);
+    }
+  }
+  EXPECT_EQ(trial.counters.matched_queries, 4u);
+  EXPECT_GT(trial.bytes_per_place, 0.0);
+}
+
+TEST(PlaceTrial, ForeignRoomHasNoVerifiedAnswer) {
+  const SyntheticRoom hall(1, 2), attic(2, 2);
+  const PlaceTrial trial =
+      RunPlaceTrial({ImageOf(hall, 0, 0)}, {ImageOf(attic, 1, 0)}, ModelOf({&hall, &attic}), {});
+  EXPECT_TRUE(trial.fabmap[0]);
+  EXPECT_FALSE(trial.verified[0]);
+}
+
+TEST(PlaceTrial, ExtractsAFolderWhateverTheThreads) {
+  const TemporaryFolder folder;
+  WritePlaceFolder(folder.Path(), 3, 1);
+  const PlaceImages images = ReadPlaceImages(folder.Path().string(), 1);
+  const auto one = ExtractPlaceImages(images, 5, {}, 1);
+  const auto two = ExtractPlaceImages(images, 5, {}, 2);
+  ASSERT_EQ(one.size(), 3u);
+  EXPECT_EQ(one[2].id.index, 2u);
+  EXPECT_GT(one[2].features->keypoints.size(), 50u);
+  EXPECT_EQ(one[2].features->descriptors.data, two[2].features->descriptors.data);
+}
+
+TEST(PlaceTrial, UnreadableImageIsAnError) {
+  const TemporaryFolder folder;
+  WritePlaceFolder(folder.Path(), 1, 1);
+  std::ofstream(folder.Path() / "images/000000.png") << "no picture";
+  const PlaceImages images = ReadPlaceImages(folder.Path().string(), 1);
+  EXPECT_THROW(ExtractPlaceImages(images, 0, {}, 1), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace rovio_sfm
