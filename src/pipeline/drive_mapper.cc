@@ -112,6 +112,22 @@ void DriveMapper::EnterMap(uint32_t first_index) {
   PoseWaitingLightFrames();
 }
 
+void DriveMapper::HoldAll(const std::vector<FrameEvent>& events) {
+  MapperReport unused;
+  for (const FrameEvent& event : events) {
+    if (Refuse(event)) {
+      ++counters_.refused_events;
+    } else if (event.kind == FrameKind::kLight) {
+      AddLight(event, &unused);
+    } else {
+      context_.store->Put(event.id, event.features);
+      pending_links_.insert(pending_links_.end(), event.links.begin(), event.links.end());
+      held_.push_back(event);
+    }
+  }
+  LinkTracks(context_.options.f2, &pending_links_, &current());
+}
+
 bool DriveMapper::HoldsFrames(int min_count) const {
   return sessions_.back()->state() == SessionState::kBootstrapping &&
          held_.size() >= static_cast<size_t>(min_count);

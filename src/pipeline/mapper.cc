@@ -34,6 +34,18 @@ void Mapper::Add(const PlaceMatch& match) {
   Settle();
 }
 
+void Mapper::AddSeeded(const std::vector<FrameEvent>& events,
+                       const std::vector<PlaceMatch>& matches) {
+  if (events.empty()) return;
+  auto& drive = drives_[events.front().id.drive];
+  ROVIO_CHECK(drive == nullptr, "the drive is mapped already");
+  drive = std::make_unique<DriveMapper>(context_, events.front().id.drive, events.front().camera);
+  drive->HoldAll(events);
+  if (!matches.empty()) drive->Seed(matches, Sessions());
+  drive->Finish();
+  for (const PlaceMatch& match : matches) Add(match);
+}
+
 MergeReport Mapper::Merge(SessionId a, SessionId b, bool force) {
   MergeReport report = merger_.Merge(a, b, force, Sessions());
   Settle();

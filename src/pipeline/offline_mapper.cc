@@ -77,9 +77,35 @@ void OfflineMapper::TakeOldest() {
 }
 
 void OfflineMapper::Map(const FrameEvent& event) {
+  if (options_.seeded) {
+    const bool is_new = drives_.empty() || drives_.back().front().id.drive != event.id.drive;
+    if (is_new) drives_.emplace_back();
+    drives_.back().push_back(event);
+    return;
+  }
   mapper_.Add(event);
   if (!recognizer_) return;
   for (const PlaceMatch& match : recognizer_->Add(event)) mapper_.Add(match);
+}
+
+// A match's query is the later frame: by query, the thesis's table T is inverted.
+void OfflineMapper::MapSeeded() {
+  std::vector<std::vector<PlaceMatch>> matches(drives_.size());
+  for (size_t i = 0; i < drives_.size() && recognizer_; ++i) {
+    for (const FrameEvent& event : drives_[i]) {
+      if (event.kind == FrameKind::kKeyframe) store_.Put(event.id, event.features);
+      for (PlaceMatch& match : recognizer_->Add(event)) matches[i].push_back(std::move(match));
+    }
+  }
+  for (size_t i = 0; i < drives_.size(); ++i) {
+    if (i > 0) {
+      mapper_.AddSeeded(drives_[i], matches[i]);
+      continue;
+    }
+    for (const FrameEvent& event : drives_[i]) mapper_.Add(event);
+    for (const PlaceMatch& match : matches[i]) mapper_.Add(match);
+    mapper_.FinishSession(drives_[i].front().id.drive);
+  }
 }
 
 void OfflineMapper::FinishDrive() {
@@ -92,6 +118,7 @@ void OfflineMapper::FinishDrive() {
 std::shared_ptr<const MapSnapshot> OfflineMapper::Finish() {
   FinishDrive();
   if (mapping_) mapping_->Finish();
+  if (options_.seeded) MapSeeded();
   mapper_.Finish();
   return mapper_.Snapshot();
 }

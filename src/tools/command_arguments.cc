@@ -29,6 +29,9 @@ void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
                   "overlaps used of two drives; 0: all");
   app->add_flag("!--no-pose-graph", arguments->mapper.mapper.merge.use_pose_graph,
                 "close loops by adjustment alone");
+  app->add_flag(
+      "--seeded", arguments->mapper.seeded,
+      "the thesis's Algorithms 1 to 3: places of all drives first, then each from the last");
   app->add_flag("--overwrite", arguments->overwrite, "replace the results of an earlier run");
 }
 

@@ -43,6 +43,8 @@ class DriveMapper {
   // Tries to start the current session from the map that its held frames see (§4.3.2); false if it
   // runs already, or cannot.
   bool Seed(const std::vector<PlaceMatch>& matches, const SessionTable& sessions);
+  // Holds all events of a drive that has none yet, for Seed; those refused are counted.
+  void HoldAll(const std::vector<FrameEvent>& events);
   // True while frames wait for the current session to start, and there are this many.
   bool HoldsFrames(int min_count) const;
   // The session was changed from outside (merged, undone): what was computed from it is forgotten.

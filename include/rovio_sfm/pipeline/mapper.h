@@ -31,6 +31,10 @@ class Mapper {
   // Takes an overlap: joins the maps it touches, closes a loop, or waits for its frames (§4.3).
   // What became of it, and of those that it confirmed.
   void Add(const PlaceMatch& match);
+  // Maps a whole drive from the maps that its frames see (§4.3.2, Algorithm 2): seeded where the
+  // matches of its frames say, forward from there, then in reverse; where no match carries, from
+  // its own best pair. The drive is finished then.
+  void AddSeeded(const std::vector<FrameEvent>& events, const std::vector<PlaceMatch>& matches);
   // By request; see MapMerger. The report says what was done, or why not.
   MergeReport Merge(SessionId a, SessionId b, bool force);
   MergeReport MergeAt(SessionId a, SessionId b, const Sim3& b_from_a);

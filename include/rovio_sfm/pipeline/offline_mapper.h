@@ -22,6 +22,9 @@ struct OfflineMapperOptions {
   FrontendOptions frontend;
   MapperOptions mapper;
   PlaceRecognizerOptions places;
+  // Algorithms 1 to 3 of the thesis (§4.3), in their phases: the features of all drives, the places
+  // of all frames, then one session after the other, each seeded from those before.
+  bool seeded = false;
   int num_threads = 2;  // 1: everything on the caller's thread; 1 to 64; never changes the result
   uint64_t seed = 1;
 
@@ -55,6 +58,7 @@ class OfflineMapper {
   void FinishDrive();
   void TakeOldest();
   void Map(const FrameEvent& event);
+  void MapSeeded();
 
   OfflineMapperOptions options_;
   StageTimes* times_;
@@ -66,6 +70,7 @@ class OfflineMapper {
   std::optional<Frontend> frontend_;
   std::deque<std::future<PreparedImage>> prepared_;
   std::unique_ptr<Worker<FrameEvent>> mapping_;  // null with one thread
+  std::vector<std::vector<FrameEvent>> drives_;  // only where drives are seeded
   FrontendCounters frontend_counters_;
   MatchingFunnel funnel_;
   uint32_t next_nonce_ = 0;
