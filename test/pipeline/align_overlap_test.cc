@@ -40,6 +40,24 @@ TEST(AlignOverlap, ResectsWhereFewLandmarksAreCommon) {
   EXPECT_LT(ErrorOf(*aligned.alignment), 1e-3);
 }
 
+TEST(AlignOverlap, TakesTheScaleOfTheOdometryWhereNoLandmarkIsCommon) {
+  const TwoDrives two = MakeTwoDrives();
+  Session a = MappedSession(two, false, {}), b = MappedSession(two, true, OtherGauge());
+  const PlaceMatch match = TrueOverlap(two, 8, 8);
+  for (const FeatureMatch& inlier : match.pairs[0].inliers) {  // seen by this frame of b alone
+    const TrackId track = b.keyframe(8).tracks[inlier.b];
+    if (b.FindLandmark(track) != nullptr) b.RemoveLandmark(track);
+  }
+  EXPECT_FALSE(AlignOverlap(a, b, 8, match.pairs, MapperOptions()).alignment);
+  a.set_scale({0.5, 0.05, "odometry"});
+  b.set_scale({0.5 / OtherGauge().scale, 0.05, "odometry"});
+  const OverlapAlignment aligned = AlignOverlap(a, b, 8, match.pairs, MapperOptions());
+  ASSERT_TRUE(aligned.alignment) << aligned.reason;
+  EXPECT_LT(ErrorOf(*aligned.alignment), 1e-3);
+  EXPECT_GT(aligned.alignment->sigma_log_scale, 0.05);
+  EXPECT_EQ(aligned.alignment->num_common, 0);
+}
+
 TEST(AlignOverlap, SaysWhyThereIsNone) {
   const TwoDrives two = MakeTwoDrives();
   const Session a = MappedSession(two, false, {}), b = MappedSession(two, true, OtherGauge());
