@@ -58,6 +58,14 @@ ImageEvent ReadImage(const DatasetFolder& dataset, const DatasetImage& image, bo
   return event;
 }
 
+YawByStamp YawsOf(const DatasetFolder& dataset) {
+  YawByStamp yaws;
+  for (const DatasetImage& image : dataset.images) {
+    if (image.odometry) yaws[image.stamp_ns] = image.odometry->yaw_rad;
+  }
+  return yaws;
+}
+
 MapRun MapFolders(const std::vector<DatasetFolder>& datasets, const Arguments& arguments) {
   const int64_t start_ns = SteadyNs();
   MapRun run;
@@ -70,6 +78,7 @@ MapRun MapFolders(const std::vector<DatasetFolder>& datasets, const Arguments& a
       mapper.Add(ReadImage(datasets[i], image, !arguments.without_odometry));
     }
     run.num_images += datasets[i].images.size();
+    if (!arguments.without_odometry) run.odometry[robot] = YawsOf(datasets[i]);
     if (!datasets[i].ground_truth.empty()) run.ground_truth[robot] = datasets[i].ground_truth;
   }
   run.snapshot = mapper.Finish();

@@ -79,6 +79,13 @@ void AddScale(const std::optional<LevelMap>& map, const std::optional<Evaluation
           : Json();
 }
 
+// How much later odometry is stamped than images, where turns tell.
+void AddOdometryDelay(const std::optional<LevelMap>& map, const MapRun& run, Json* json) {
+  const auto delay = map ? MeasureOdometryDelay(*map, run.odometry) : std::nullopt;
+  (*json)["odometry_delay_s"] = delay ? Json(delay->delay_s) : Json();
+  (*json)["odometry_delay_sigma_s"] = delay ? Json(delay->sigma_s) : Json();
+}
+
 void AddErrors(const std::optional<LevelMap>& map, const MapRun& run, Json* json) {
   const auto all = map ? Evaluate(*map, run, false) : std::nullopt;
   const auto keyframes = map ? Evaluate(*map, run, true) : std::nullopt;
@@ -133,6 +140,7 @@ Json MapSummaryJson(const MapRun& run) {
   AddStatistics(map ? ComputeMapStatistics(*map) : MapStatistics(), &json);
   AddSessions(*run.snapshot, &json);
   AddErrors(map, run, &json);
+  AddOdometryDelay(map, run, &json);
   json["matching"] = FunnelJson(run.funnel);
   json["mapper"] = MapperJson(run.mapper);
   json["merges"] = MergesJson(run.merges);

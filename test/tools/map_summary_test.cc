@@ -39,6 +39,7 @@ TEST(MapSummaryJson, CountsImagesAndLeavesOutWhatIsNotKnown) {
   EXPECT_EQ(json["landmarks"], 1);
   EXPECT_TRUE(json["ate_rmse_m"].is_null());
   EXPECT_TRUE(json["scale_error"].is_null());
+  EXPECT_TRUE(json["odometry_delay_s"].is_null());
   EXPECT_EQ(json["ms_per_frame"]["match"], 5.0);
   EXPECT_EQ(json["matching"]["mean_features"], 1000.0);
   EXPECT_EQ(json["matching"]["ransac_share"], 0.3);

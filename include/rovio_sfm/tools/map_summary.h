@@ -10,6 +10,7 @@
 #include "rovio_sfm/pipeline/frontend.h"
 #include "rovio_sfm/pipeline/mapper_report.h"
 #include "rovio_sfm/pipeline/matching_funnel.h"
+#include "rovio_sfm/pipeline/measure_odometry_delay.h"
 #include "rovio_sfm/scene/map_snapshot.h"
 #include "rovio_sfm/scene/merge_report.h"
 #include "rovio_sfm/util/stage_times.h"
@@ -26,6 +27,7 @@ struct MapRun {
   std::vector<MergeReport> merges;
   std::map<std::string, StageTimes::Total> stages;
   std::map<std::string, std::vector<StampedPose>> ground_truth;  // by robot; may lack some
+  std::map<std::string, YawByStamp> odometry;                    // by robot, as it was used
   double wall_s = 0.0;
   double peak_rss_mb = 0.0;
 };
