@@ -93,8 +93,9 @@ def scale(_quick):
     bounds_ms = {1000: 20, 10000: 22, 100000: 40}
     holds = all(n in queries and queries[n]["cpu_time"] <= bound and queries[n]["bytes_per_place"] <= 1500
                 for n, bound in bounds_ms.items())
-    return holds, "; ".join(f"{n} places: {b['cpu_time']:.1f} {b['time_unit']}, {b['bytes_per_place']:.0f} bytes "
-                            f"each" for n, b in sorted(queries.items())) + f"; {out / 'scale.png'}"
+    parts = [f"{n} places: {b['cpu_time']:.1f} {b['time_unit']}, {b['bytes_per_place']:.0f} bytes each"
+             for n, b in sorted(queries.items())]
+    return holds, "; ".join(parts) + f"; {out / 'scale.png'}"
 
 
 def node_tests(_quick):
