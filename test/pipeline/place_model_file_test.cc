@@ -23,6 +23,14 @@ TEST(PlaceModelFile, RefusesToReplaceUnlessAllowed) {
   EXPECT_NE(MessageOf(save).find("a.places"), std::string::npos);
 }
 
+TEST(PlaceModelFile, TheShippedModelLoadsAndIsSmall) {
+  const std::filesystem::path path = ROVIO_SOURCE_DIR "/config/places/indoor.places";
+  EXPECT_LE(std::filesystem::file_size(path), 12u << 20);
+  const auto model = LoadPlaceModel(path);
+  EXPECT_EQ(model->vocabulary.Words().type, DescriptorType::kSift);
+  EXPECT_EQ(model->training_bags.size(), 554u);
+}
+
 TEST(PlaceModelFile, NamesTheFileThatIsMissingOrNoModel) {
   const TemporaryFolder folder;
   folder.Write("b.places", "something else");
