@@ -135,7 +135,7 @@ def laps(_quick):
                out / "laps.png")
     largest_mm = float(gaps.split("largest ")[1].split()[0])
     loops = sum(r["kind"] == "loop" and r["verdict"] == "accepted" for r in s["merges"]["reports"])
-    return (s["sessions"] == 1 and loops > 0 and joint_error(s) <= 0.4 and largest_mm <= 20.0), (
+    return (s["sessions"] == 1 and loops > 0 and joint_error(s) <= 0.4 and largest_mm <= 10.0), (
         f"{loops} loops closed, error {joint_error(s):.3f} % of the path, {gaps.strip()}; {out / 'laps.png'}")
 
 

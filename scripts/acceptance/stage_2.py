@@ -12,7 +12,7 @@ LINES = [
          "graph on and off", merging.scale_ratio, False),
     Line("glance", "one picture of the second drive sees the place: merged, joint error <= 1.5 %",
          merging.glance, True),
-    Line("laps", "turntable2: loop closed, the laps on each other within 2 cm", merging.laps, False),
+    Line("laps", "turntable2: loop closed, the laps on each other within 1 cm", merging.laps, False),
     Line("places_turntable2", "turntable2, second lap: after geometry precision >= 0.98, recall >= 0.89",
          recognising.turntable2, False),
     Line("places_fr1", "tum_fr1_rpy in tum_fr1_xyz: area and recall at 95 % precision >= tf-idf's, after "
