@@ -23,11 +23,13 @@ TEST(MeasurePlaceCurve, CountsRightWrongAndMissing) {
   EXPECT_DOUBLE_EQ(curve.recall, 1.0 / 3.0);
 }
 
-TEST(MeasurePlaceCurve, AnswersBetweenAreNeitherRightNorWrong) {
-  const PlaceCurve curve = MeasurePlaceCurve({Answer(1, 1.0)}, {{kYes, kMaybe}});
+TEST(MeasurePlaceCurve, AnswersBetweenAreNeitherRightNorWrongNorMissing) {
+  const PlaceTruth truth{{kYes, kMaybe}, {kYes, kMaybe}, {kYes, kMaybe}};
+  const PlaceCurve curve = MeasurePlaceCurve({Answer(1, 3.0), Answer(0, 2.0), std::nullopt}, truth);
   EXPECT_EQ(curve.num_between, 1u);
+  EXPECT_EQ(curve.num_positive, 3u);
   EXPECT_DOUBLE_EQ(curve.precision, 1.0);
-  EXPECT_DOUBLE_EQ(curve.recall, 0.0);
+  EXPECT_DOUBLE_EQ(curve.recall, 0.5);
 }
 
 TEST(MeasurePlaceCurve, AreaOfARightThenAWrongThenARightAnswer) {

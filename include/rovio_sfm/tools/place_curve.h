@@ -25,15 +25,15 @@ struct PlaceCurve {
   size_t num_positive = 0;  // queries with a positive in the database
   // With every answer counted:
   size_t num_right = 0, num_wrong = 0;
-  size_t num_between = 0;  // answers that are not scored: neither right nor wrong, but not recalled
+  size_t num_between = 0;  // answers that are not scored: neither right, nor wrong, nor missing
   double precision = 1.0, recall = 0.0;
   double area = 0.0;  // under precision over recall, by steps
   double recall_at_full_precision = 0.0, recall_at_95_precision = 0.0;
   std::vector<PlaceOperatingPoint> points;  // by falling threshold
 };
 
-// One answer (or none) per query, against its row of the truth. Recall = right answers / queries
-// with a positive; precision = right / (right + wrong).
+// One answer (or none) per query, against its row of the truth. Precision = right / (right +
+// wrong); recall = right / queries with a positive, without those whose answer is not scored.
 PlaceCurve MeasurePlaceCurve(const std::vector<std::optional<PlaceAnswer>>& answers,
                              const PlaceTruth& truth);
 
