@@ -124,12 +124,14 @@ MapAdjustmentReport AdjustMap(const std::vector<PlacedSession>& sessions,
   MapAdjustmentReport report;
   report.before = MeasureLinks(sessions, *links);
   const int num_rounds = is_final ? kFinalRounds : 1;
+  const int max_iterations =  // the map is adjusted again when its sessions end
+      is_final ? options.adjust.global_max_iterations : options.adjust.local_max_iterations;
   for (int round = 0; round <= num_rounds; ++round) {
     const bool is_last = round == num_rounds;
     if (is_last && !is_final) break;
     const double link_error = round == 0 ? kLooseFactor * max_error_sigmas : max_error_sigmas;
     MapBundle bundle(sessions, *links, link_error);
-    if (!bundle.Solve({options.adjust.global_max_iterations, is_last ? 0.0 : loss_sigmas}).usable) {
+    if (!bundle.Solve({max_iterations, is_last ? 0.0 : loss_sigmas}).usable) {
       break;
     }
     bundle.Apply();

@@ -55,8 +55,8 @@ struct ScaleOptions {
   double max_rotation_gap_deg = 2.0;  // odometry and vision must agree that well, 0.1 to 45
   double odometry_gain_sigma = 0.05;  // relative; averaging never goes below it, 0.001 to 1
   double sideways_sigma = 0.2;        // relative uncertainty of sideways motion, 0 to 1
-  // Of the camera over a flat floor, with the head as in the session's first keyframe; 0: not known;
-  // 0 to 10. A second source of scale, and the only one without odometry.
+  // Of the camera over a flat floor, with the head as in the session's first keyframe; 0: not
+  // known; 0 to 10. A second source of scale, and the only one without odometry.
   double camera_height_m = 0.0;
   double camera_height_sigma = 0.03;  // relative, 0.001 to 1
   bool IsValid(std::string* error) const;
