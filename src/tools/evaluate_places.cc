@@ -108,6 +108,8 @@ nlohmann::ordered_json CurveJson(const PlaceCurve& curve) {
           {"wrong", curve.num_wrong},
           {"not_scored", curve.num_between},
           {"area_under_curve", curve.area},
+          {"strict_recall", curve.strict_recall},
+          {"strict_area_under_curve", curve.strict_area},
           {"recall_at_full_precision", curve.recall_at_full_precision},
           {"recall_at_95_precision", curve.recall_at_95_precision}};
 }

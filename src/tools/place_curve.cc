@@ -22,12 +22,15 @@ void Count(const LabeledAnswer& answer, size_t* num_not_scored, PlaceCurve* curv
   if (answer.label == PlaceLabel::kBetween && answer.has_positive) ++*num_not_scored;
   curve->precision = Share(curve->num_right, curve->num_right + curve->num_wrong, 1.0);
   curve->recall = Share(curve->num_right, curve->num_positive - *num_not_scored, 0.0);
+  curve->strict_recall = Share(curve->num_right, curve->num_positive, 0.0);
 }
 
 void AddPoint(double threshold, PlaceCurve* curve) {
-  const double last_recall = curve->points.empty() ? 0.0 : curve->points.back().recall;
-  curve->points.push_back({threshold, curve->precision, curve->recall});
-  curve->area += curve->precision * (curve->recall - last_recall);
+  const PlaceOperatingPoint last =
+      curve->points.empty() ? PlaceOperatingPoint{} : curve->points.back();
+  curve->points.push_back({threshold, curve->precision, curve->recall, curve->strict_recall});
+  curve->area += curve->precision * (curve->recall - last.recall);
+  curve->strict_area += curve->precision * (curve->strict_recall - last.strict_recall);
   if (curve->num_wrong == 0) curve->recall_at_full_precision = curve->recall;
   if (curve->precision >= 0.95) curve->recall_at_95_precision = curve->recall;
 }

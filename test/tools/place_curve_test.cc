@@ -30,6 +30,8 @@ TEST(MeasurePlaceCurve, AnswersBetweenAreNeitherRightNorWrongNorMissing) {
   EXPECT_EQ(curve.num_positive, 3u);
   EXPECT_DOUBLE_EQ(curve.precision, 1.0);
   EXPECT_DOUBLE_EQ(curve.recall, 0.5);
+  EXPECT_DOUBLE_EQ(curve.strict_recall, 1.0 / 3.0);
+  EXPECT_DOUBLE_EQ(curve.strict_area, 1.0 / 3.0);
 }
 
 TEST(MeasurePlaceCurve, AreaOfARightThenAWrongThenARightAnswer) {

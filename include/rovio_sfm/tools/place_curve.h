@@ -17,7 +17,7 @@ struct PlaceAnswer {
 // Precision and recall when answers of at least that score count.
 struct PlaceOperatingPoint {
   double threshold = 0.0;
-  double precision = 1.0, recall = 0.0;
+  double precision = 1.0, recall = 0.0, strict_recall = 0.0;
 };
 
 struct PlaceCurve {
@@ -28,6 +28,8 @@ struct PlaceCurve {
   size_t num_between = 0;  // answers that are not scored: neither right, nor wrong, nor missing
   double precision = 1.0, recall = 0.0;
   double area = 0.0;  // under precision over recall, by steps
+  // The same where an answer that is not scored counts as missing.
+  double strict_recall = 0.0, strict_area = 0.0;
   double recall_at_full_precision = 0.0, recall_at_95_precision = 0.0;
   std::vector<PlaceOperatingPoint> points;  // by falling threshold
 };
