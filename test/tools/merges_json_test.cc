@@ -20,9 +20,7 @@ TEST(MergesJson, CountsVerdictsAndKeepsReasons) {
   EXPECT_EQ(json["reports"][1]["reason"], "absence");
 }
 
-TEST(MergesJson, IsEmptyWithoutReports) {
-  EXPECT_TRUE(MergesJson({})["reports"].empty());
-}
+TEST(MergesJson, IsEmptyWithoutReports) { EXPECT_TRUE(MergesJson({})["reports"].empty()); }
 
 }  // namespace
 }  // namespace rovio_sfm

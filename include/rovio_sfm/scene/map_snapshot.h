@@ -14,11 +14,12 @@ namespace rovio_sfm {
 
 enum class SessionState : uint8_t { kBootstrapping = 0, kMapping = 1, kFinished = 2, kLost = 3 };
 
-// How long a map unit is. Without odometry (or before enough of it) nothing is known.
+// How long a session's unit is. Without a source of scale (or before enough of it) nothing is
+// known.
 struct MapScale {
   double metres_per_unit = 1.0;
   double sigma_log = 0.0;  // 1 sigma of log(metres_per_unit)
-  std::string source;      // "odometry"
+  std::string source;      // "odometry", "camera height", or several
 };
 
 // One registered frame.
@@ -54,7 +55,7 @@ struct SessionSnapshot {
   DriveId drive;
   Camera camera;
   SessionState state = SessionState::kBootstrapping;
-  std::optional<MapScale> scale;                          // of the map's unit; none: not metric
+  std::optional<MapScale> scale;                          // of the session's unit; none: not metric
   Sim3 map_from_session;                                  // identity for a map's root session
   std::vector<std::shared_ptr<const FrameBlock>> frames;  // by increasing index
   std::vector<std::shared_ptr<const LandmarkBlock>> landmarks;  // by increasing id
