@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/make_shared.hpp>
 #include <vector>
 
 #include "rovio_sfm/ros/event_history.h"
