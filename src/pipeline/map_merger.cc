@@ -203,6 +203,11 @@ void MapMerger::AdjustFinally(const SessionTable& sessions) {
   for (const MapId map : maps) Adjust(map, true, sessions, &unused);
 }
 
+void MapMerger::GiveUpWaiting() {
+  for (const Waiting& waiting : waiting_) GiveUp(waiting);
+  waiting_.clear();
+}
+
 void MapMerger::GiveUp(const Waiting& waiting) {
   MergeRecord record;
   record.report.verdict = MergeVerdict::kRefused;

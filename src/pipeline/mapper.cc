@@ -108,6 +108,7 @@ void Mapper::Finish() {
     drive->Finish();
   }
   AdjustMaps();
+  merger_.GiveUpWaiting();
 }
 
 // A session's own final adjustment knows nothing of the others: the maps they share are adjusted

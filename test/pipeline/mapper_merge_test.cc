@@ -129,5 +129,17 @@ TEST(MapperMerge, DrivesGoOnInOneMapAfterATrueMerge) {
   EXPECT_LT(ErrorOfSecond(snapshot->sessions[1], driving.two), 0.05);
 }
 
+TEST(MapperMerge, SaysAtTheEndWhatWaitedInVain) {
+  Driving driving;
+  PlaceMatch match = TrueOverlap(driving.two, 8, 8);
+  match.query.index = 999;
+  driving.mapper.Add(match);
+  EXPECT_TRUE(driving.mapper.MergeReports().empty());
+  driving.mapper.Finish();
+  ASSERT_EQ(driving.mapper.MergeReports().size(), 1u);
+  EXPECT_EQ(driving.mapper.MergeReports()[0].verdict, MergeVerdict::kRefused);
+  EXPECT_NE(driving.mapper.MergeReports()[0].reason.find("/999 has no pose"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace rovio_sfm

@@ -41,6 +41,8 @@ class MapMerger {
 
   // The final adjustment of every map that links join.
   void AdjustFinally(const SessionTable& sessions);
+  // No more frames come: what waits gives up, with the reason.
+  void GiveUpWaiting();
 
   MapPlace PlaceOf(SessionId id) const { return ledger_.PlaceOf(id); }
   // All overlaps judged so far, by id, and those that waited in vain.
