@@ -17,13 +17,6 @@ geometry_msgs::TransformStamped Edge(const std::string& parent, const std::strin
   return edge;
 }
 
-const SessionSnapshot* FindSession(const MapSnapshot& snapshot, SessionId id) {
-  for (const SessionSnapshot& session : snapshot.sessions) {
-    if (session.id == id) return &session;
-  }
-  return nullptr;
-}
-
 // The edge that carries a robot; nothing while its anchor has no pose.
 std::optional<geometry_msgs::TransformStamped> RobotEdge(const std::string& robot,
                                                          const OdometryAnchor& anchor,
@@ -44,8 +37,8 @@ std::optional<geometry_msgs::TransformStamped> RobotEdge(const std::string& robo
 
 // map_from_level of a session of the root map; equal scales, so a rigid motion is left.
 std::optional<Rigid3> RootFromLevel(const SessionSnapshot& root, const SessionSnapshot& session) {
-  const std::optional<Sim3> root_level = LevelFromSession(root);
-  const std::optional<Sim3> level = LevelFromSession(session);
+  const std::optional<Sim3> root_level = LevelInUnitOfMap(root);
+  const std::optional<Sim3> level = LevelInUnitOfMap(session);
   if (!root_level || !level) return std::nullopt;
   const Sim3 root_from_level =
       *root_level * Inverse(root.map_from_session) * session.map_from_session * Inverse(*level);
@@ -60,6 +53,20 @@ std::string SessionFrame(SessionId session) {
   return "session_" + std::to_string(session.value) + "/map";
 }
 
+const SessionSnapshot* FindRoot(const MapSnapshot& snapshot) {
+  for (const SessionSnapshot& session : snapshot.sessions) {
+    if (LevelFromSession(session)) return &session;
+  }
+  return nullptr;
+}
+
+const SessionSnapshot* FindSession(const MapSnapshot& snapshot, SessionId id) {
+  for (const SessionSnapshot& session : snapshot.sessions) {
+    if (session.id == id) return &session;
+  }
+  return nullptr;
+}
+
 const FrameSnapshot* FindFrame(const SessionSnapshot& session, uint32_t index) {
   for (const auto& block : session.frames) {
     if (block->empty() || block->back().index < index) continue;
@@ -71,8 +78,16 @@ const FrameSnapshot* FindFrame(const SessionSnapshot& session, uint32_t index) {
   return nullptr;
 }
 
-std::optional<Rigid3> CameraInLevel(const SessionSnapshot& session, const FrameSnapshot& frame) {
+std::optional<Sim3> LevelInUnitOfMap(const SessionSnapshot& session) {
   const std::optional<Sim3> level_from_session = LevelFromSession(session);
+  if (!level_from_session || session.scale) return level_from_session;
+  const Sim3 map_unit_from_unit{session.map_from_session.scale, Eigen::Quaterniond::Identity(),
+                                Eigen::Vector3d::Zero()};
+  return map_unit_from_unit * *level_from_session;
+}
+
+std::optional<Rigid3> CameraInLevel(const SessionSnapshot& session, const FrameSnapshot& frame) {
+  const std::optional<Sim3> level_from_session = LevelInUnitOfMap(session);
   if (!level_from_session) return std::nullopt;
   return Inverse(TransformCamera(*level_from_session, frame.cam_from_session));
 }
@@ -80,10 +95,10 @@ std::optional<Rigid3> CameraInLevel(const SessionSnapshot& session, const FrameS
 std::vector<geometry_msgs::TransformStamped> MapEdges(const MapPicture& picture,
                                                       const ros::Time& stamp) {
   std::vector<geometry_msgs::TransformStamped> edges;
-  const std::vector<SessionSnapshot>& sessions = picture.snapshot->sessions;
-  for (const SessionSnapshot& session : sessions) {
-    if (!(session.map == sessions.front().map)) continue;
-    const auto root_from_level = RootFromLevel(sessions.front(), session);
+  const SessionSnapshot* root = FindRoot(*picture.snapshot);
+  for (const SessionSnapshot& session : picture.snapshot->sessions) {
+    if (root == nullptr || !(session.map == root->map)) continue;
+    const auto root_from_level = RootFromLevel(*root, session);
     if (root_from_level) {
       edges.push_back(Edge(MapFrame(), SessionFrame(session.id), *root_from_level, stamp));
     }

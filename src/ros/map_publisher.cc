@@ -3,27 +3,16 @@
 #include <geometry_msgs/PoseStamped.h>
 
 #include <algorithm>
-#include <set>
+#include <tuple>
+#include <utility>
 
+#include "rovio_sfm/ros/camera_markers.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/map_frames.h"
 #include "rovio_sfm/ros/map_messages.h"
 #include "rovio_sfm/ros/topics.h"
 
 namespace rovio_sfm {
-namespace {
-
-ros::Time NewestStamp(const MapSnapshot& snapshot) {
-  int64_t newest_ns = 0;
-  for (const SessionSnapshot& session : snapshot.sessions) {
-    for (const auto& block : session.frames) {
-      if (!block->empty()) newest_ns = std::max(newest_ns, block->back().stamp_ns);
-    }
-  }
-  return ToTime(newest_ns);
-}
-
-}  // namespace
 
 MapPublisher::MapPublisher(ros::NodeHandle node, double cloud_period_s)
     : node_(node), cloud_period_s_(cloud_period_s) {
@@ -50,21 +39,40 @@ bool MapPublisher::IsDue(Output* output, uint64_t version) const {
   return true;
 }
 
-void MapPublisher::PublishEdges(const MapPicture& picture) {
+// Whether a session's gauge is another than at the last call.
+bool MapPublisher::TakeGauges(const MapSnapshot& snapshot) {
+  std::vector<Gauge> gauges;
+  for (const SessionSnapshot& session : snapshot.sessions) {
+    const double metres_per_unit = session.scale ? session.scale->metres_per_unit : 0.0;
+    gauges.push_back({session.id, session.map, session.gauge_revision, metres_per_unit});
+  }
+  const auto is_same = [](const Gauge& a, const Gauge& b) {
+    return std::tie(a.session, a.map, a.revision, a.metres_per_unit) ==
+           std::tie(b.session, b.map, b.revision, b.metres_per_unit);
+  };
+  const std::vector<Gauge> last = std::exchange(gauges_, gauges);
+  return !std::equal(last.begin(), last.end(), gauges.begin(), gauges.end(), is_same);
+}
+
+void MapPublisher::PublishEdges(const MapPicture& picture, const IngestCounters& counters) {
   const ros::Time now = ros::Time::now();
   if (now.isZero() || now == last_edges_) return;  // simulated time stands still: tf wants no twins
   last_edges_ = now;
   const auto edges = MapEdges(picture, now);
   if (!edges.empty()) edges_.sendTransform(edges);
+  if (TakeGauges(*picture.snapshot)) PublishMap(picture, counters, true);
 }
 
 void MapPublisher::PublishMap(const MapPicture& picture, const IngestCounters& counters,
-                              bool is_final) {
+                              bool at_once) {
   const ros::Time now = ros::Time::now();
   PublishStatus(picture, counters);
   PublishPaths(*picture.snapshot, now);
-  PublishCameras(*picture.snapshot, now);
-  PublishClouds(*picture.snapshot, now, is_final);
+  PublishCameras(picture, now);
+  const ros::SteadyTime steady_now = ros::SteadyTime::now();
+  if (!at_once && (steady_now - last_cloud_).toSec() < cloud_period_s_) return;
+  last_cloud_ = steady_now;
+  PublishClouds(*picture.snapshot, now);
 }
 
 void MapPublisher::PublishPaths(const MapSnapshot& snapshot, const ros::Time& now) {
@@ -75,46 +83,51 @@ void MapPublisher::PublishPaths(const MapSnapshot& snapshot, const ros::Time& no
   }
 }
 
-void MapPublisher::PublishCameras(const MapSnapshot& snapshot, const ros::Time& now) {
+void MapPublisher::PublishCameras(const MapPicture& picture, const ros::Time& now) {
   Output& output = OutputOf<visualization_msgs::MarkerArray>(topics::kCameras);
-  if (IsDue(&output, snapshot.version)) output.publisher.publish(CameraMarkers(snapshot, now));
+  if (!IsDue(&output, picture.snapshot->version)) return;
+  output.publisher.publish(CameraMarkers(*picture.snapshot, picture.merges, now));
 }
 
-// The root map goes to `cloud`, every other to a topic and frame of its own: nobody knows yet where
-// it lies.
-void MapPublisher::PublishClouds(const MapSnapshot& snapshot, const ros::Time& now, bool is_final) {
-  const ros::SteadyTime steady_now = ros::SteadyTime::now();
-  if (!is_final && (steady_now - last_cloud_).toSec() < cloud_period_s_) return;
-  last_cloud_ = steady_now;
-  std::set<MapId> ids;
-  for (const SessionSnapshot& session : snapshot.sessions) ids.insert(session.map);
-  for (const MapId id : ids) {
-    const bool is_root = id == *ids.begin();
-    const std::string number = std::to_string(id.value);
-    Output& output = OutputOf<sensor_msgs::PointCloud2>(is_root ? topics::kCloud
-                                                                : topics::kCloudPrefix + number);
-    if (!IsDue(&output, snapshot.version)) continue;
-    if (const auto map = FindLevelMap(snapshot, id)) {
-      const std::string frame = is_root ? MapFrame() : SessionFrame(map->sessions.front().id);
-      output.publisher.publish(CloudMessage(*map, frame, now));
-    }
+// The root map goes to `cloud`, every other to a topic and frame of its own, which is cleared when
+// the map has joined another.
+void MapPublisher::PublishClouds(const MapSnapshot& snapshot, const ros::Time& now) {
+  const SessionSnapshot* root = FindRoot(snapshot);
+  if (root != nullptr) PublishCloud(snapshot, root->map, topics::kCloud, now);
+  std::set<MapId> apart;
+  for (const SessionSnapshot& session : snapshot.sessions) {
+    if (root == nullptr || !(session.map == root->map)) apart.insert(session.map);
   }
+  const std::set<MapId> last = std::exchange(apart_, apart);
+  for (const MapId id : apart) {
+    PublishCloud(snapshot, id, topics::kCloudPrefix + std::to_string(id.value), now);
+  }
+  for (const MapId id : last) {
+    if (apart.count(id) > 0) continue;
+    sensor_msgs::PointCloud2 nothing;
+    nothing.header.frame_id = SessionFrame(SessionId{id.value});
+    nothing.header.stamp = now;
+    const std::string topic = topics::kCloudPrefix + std::to_string(id.value);
+    OutputOf<sensor_msgs::PointCloud2>(topic).publisher.publish(nothing);
+  }
+}
+
+void MapPublisher::PublishCloud(const MapSnapshot& snapshot, MapId id, const std::string& topic,
+                                const ros::Time& now) {
+  Output& output = OutputOf<sensor_msgs::PointCloud2>(topic);
+  if (!IsDue(&output, snapshot.version)) return;
+  const std::optional<LevelMap> map = FindLevelMap(snapshot, id);
+  if (!map) return;
+  const std::string frame =
+      topic == topics::kCloud ? MapFrame() : SessionFrame(map->sessions.front().id);
+  output.publisher.publish(CloudMessage(*map, frame, now));
 }
 
 void MapPublisher::PublishStatus(const MapPicture& picture, const IngestCounters& counters) {
   Output& output = OutputOf<MapStatus>(topics::kMapStatus);
   if (output.version == picture.snapshot->version) return;  // latched: also when nobody listens
   output.version = picture.snapshot->version;
-  MapStatus status;
-  status.header.frame_id = MapFrame();
-  status.header.stamp = NewestStamp(*picture.snapshot);
-  status.sessions = SessionSummaries(*picture.snapshot);
-  status.maps = MapSummaries(*picture.snapshot);
-  status.num_events = static_cast<uint32_t>(picture.num_events);
-  status.num_refused = static_cast<uint32_t>(counters.refused + picture.counters.refused_events);
-  status.num_missing = static_cast<uint32_t>(picture.counters.missing_events);
-  status.num_dropped = static_cast<uint32_t>(counters.dropped);
-  output.publisher.publish(status);
+  output.publisher.publish(ToMessage(picture, counters));
 }
 
 void MapPublisher::PublishPose(const MapPicture& picture, SessionId id, uint32_t index) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "rovio_sfm/ros/map_frames.h"
+#include "rovio_sfm/util/check.h"
+
 namespace rovio_sfm {
 
 MappingEngine::MappingEngine(const MapperOptions& options)
@@ -24,6 +27,37 @@ MapperReport MappingEngine::Add(const FrameEvent& event) {
   }
   Show();
   return report;
+}
+
+void MappingEngine::Add(const PlaceMatch& match) {
+  ++num_place_matches_;
+  state_->mapper.Add(match);
+  Show();
+}
+
+MergeReport MappingEngine::Merge(SessionId a, SessionId b, bool force) {
+  MergeReport report = state_->mapper.Merge(a, b, force);
+  Show();
+  return report;
+}
+
+MergeReport MappingEngine::MergeAt(SessionId a, SessionId b, const Sim3& b_from_a) {
+  const auto snapshot = Picture().snapshot;
+  const SessionSnapshot* session_a = FindSession(*snapshot, a);
+  const SessionSnapshot* session_b = FindSession(*snapshot, b);
+  ROVIO_CHECK(session_a != nullptr && session_b != nullptr, "a session is not known");
+  const std::optional<Sim3> level_a = LevelInUnitOfMap(*session_a);
+  const std::optional<Sim3> level_b = LevelInUnitOfMap(*session_b);
+  ROVIO_CHECK(level_a && level_b, "a session has no frame");
+  MergeReport report = state_->mapper.MergeAt(a, b, Inverse(*level_b) * b_from_a * *level_a);
+  Show();
+  return report;
+}
+
+std::vector<MergeReport> MappingEngine::Unmerge(SessionId id) {
+  std::vector<MergeReport> undone = state_->mapper.Unmerge(id);
+  Show();
+  return undone;
 }
 
 bool MappingEngine::EnterDrive(const DriveId& drive, std::string* error) {
@@ -73,6 +107,8 @@ void MappingEngine::Show() {
   picture.anchors = anchors_;
   picture.counters = state_->mapper.counters();
   picture.num_events = num_events_;
+  picture.merges = state_->mapper.MergeReports();
+  picture.num_place_matches = num_place_matches_;
   MutexLock lock(mutex_);
   picture_ = std::move(picture);
 }

@@ -1,11 +1,11 @@
 #include "rovio_sfm/ros/mapping_node.h"
 
-#include <future>
 #include <utility>
 
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/export_map.h"
-#include "rovio_sfm/ros/frame_event_message.h"
+#include "rovio_sfm/ros/fetch_frames.h"
+#include "rovio_sfm/ros/place_match_message.h"
 #include "rovio_sfm/ros/topics.h"
 
 namespace rovio_sfm {
@@ -16,7 +16,6 @@ constexpr size_t kHistoryBytes = 256u << 20;
 constexpr double kEdgePeriodS = 0.05;
 constexpr double kMapPeriodS = 0.25;
 constexpr double kWarnPeriodS = 10.0;
-constexpr uint32_t kFetchPage = 20;      // events of one call
 constexpr uint32_t kServiceThreads = 2;  // one call may wait for the worker, another answer
 
 double SteadySeconds() { return ros::SteadyTime::now().toSec(); }
@@ -32,14 +31,25 @@ MappingNode::MappingNode(const MappingNodeOptions& options, ros::NodeHandle node
       history_(kHistoryEvents, kHistoryBytes),
       service_spinner_(kServiceThreads, &service_queue_),
       diagnostics_(node, private_node),
-      worker_(kJobQueue, WhenFull::kDropOldest, [](const Job& job) { job(); }) {
+      worker_(kJobQueue, WhenFull::kDropOldest, [](const Job& job) { job(); }),
+      frame_subscriber_(
+          node_, options.robots,
+          [this](const FrameEventMsg::ConstPtr& message, FrameEvent event) {
+            Push([this, message, event = std::move(event)] { Ingest(message, event); });
+          }),
+      match_subscriber_(node_.subscribe(topics::kPlaceMatches, topics::kPlaceMatchesQueue,
+                                        &MappingNode::OnPlaceMatch, this)) {
+  for (const std::string& robot : options_.robots) {
+    frontends_[robot] =
+        node_.serviceClient<rovio_sfm::GetFrames>("/" + robot + "/" + topics::kGetFrames);
+  }
   diagnostics_.setHardwareID("none");
   diagnostics_.add("frames to maps", this, &MappingNode::Diagnose);
   AdvertiseServices();
-  SubscribeFrames();
-  edge_timer_ = node_.createWallTimer(
-      ros::WallDuration(kEdgePeriodS),
-      [this](const ros::WallTimerEvent&) { publisher_.PublishEdges(engine_.Picture()); });
+  edge_timer_ =
+      node_.createWallTimer(ros::WallDuration(kEdgePeriodS), [this](const ros::WallTimerEvent&) {
+        publisher_.PublishEdges(engine_.Picture(), Counters());
+      });
   map_timer_ =
       node_.createWallTimer(ros::WallDuration(kMapPeriodS), [this](const ros::WallTimerEvent&) {
         publisher_.PublishMap(engine_.Picture(), Counters(), false);
@@ -48,7 +58,8 @@ MappingNode::MappingNode(const MappingNodeOptions& options, ros::NodeHandle node
 }
 
 MappingNode::~MappingNode() {
-  subscribers_.clear();
+  frame_subscriber_.Stop();
+  match_subscriber_.shutdown();
   service_spinner_.stop();
   ROS_INFO_STREAM("ending: " << worker_.NumQueued() << " events are still queued");
   give_up_s_ = SteadySeconds() + options_.drain_s;
@@ -59,41 +70,27 @@ MappingNode::~MappingNode() {
   if (!options_.output_dir.empty()) WriteFinalMap();
 }
 
-void MappingNode::SubscribeFrames() {
-  for (const std::string& robot : options_.robots) {
-    const std::string prefix = "/" + robot + "/";
-    frontends_[robot] = node_.serviceClient<rovio_sfm::GetFrames>(prefix + topics::kGetFrames);
-    const boost::function<void(const FrameEventMsg::ConstPtr&)> handle =
-        [this, robot](const FrameEventMsg::ConstPtr& message) { OnFrame(robot, message); };
-    subscribers_.push_back(
-        node_.subscribe<FrameEventMsg>(prefix + topics::kFrames, topics::kFramesQueue, handle));
-  }
+void MappingNode::OnPlaceMatch(const PlaceMatchMsg::ConstPtr& message) {
+  std::string error;
+  std::optional<PlaceMatch> match = FromMessage(*message, &error);
+  if (match) return Push([this, match = std::move(*match)] { engine_.Add(match); });
+  ++num_refused_matches_;
+  ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "place match refused: " << error);
 }
 
-void MappingNode::OnFrame(const std::string& robot, const FrameEventMsg::ConstPtr& message) {
-  std::string error;
-  std::optional<FrameEvent> event = FromMessage(*message, &error);
-  if (!event) return Refuse("frame of " + robot + " refused: " + error);
-  if (event->id.drive.robot != robot) {
-    return Refuse("frame on /" + robot + "/frames refused: it says that its robot is " +
-                  event->id.drive.robot);
-  }
-  worker_.Push([this, message, event = std::move(*event)] {
+void MappingNode::Push(Job job) {
+  worker_.Push([this, job = std::move(job)] {
     if (give_up_s_ > 0.0 && SteadySeconds() > give_up_s_) {
       ++num_given_up_;
     } else {
-      Ingest(message, event);
+      job();
     }
   });
 }
 
-void MappingNode::Refuse(const std::string& reason) {
-  ++num_refused_;
-  ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, reason);
-}
-
 IngestCounters MappingNode::Counters() const {
-  return {num_refused_, worker_.NumDropped() + num_given_up_};
+  return {frame_subscriber_.NumRefused(), worker_.NumDropped() + num_given_up_,
+          num_refused_matches_};
 }
 
 void MappingNode::Ingest(const FrameEventMsg::ConstPtr& message, const FrameEvent& event) {
@@ -104,21 +101,14 @@ void MappingNode::Ingest(const FrameEventMsg::ConstPtr& message, const FrameEven
 // Asks the frontend for what lies between the last event and this one; what it no longer has stays
 // missing, and the mapper counts it.
 void MappingNode::FetchMissing(const FrameId& id) {
-  GetFramesRequest request;
-  GetFramesResponse response;
-  for (uint32_t next = engine_.NextIndex(id); next < id.index; next = response.next_index) {
-    request.first = ToMessage(FrameId{id.drive, next});
-    request.max_frames = kFetchPage;
-    if (!frontends_[id.drive.robot].call(request, response)) return;
-    for (const FrameEventMsg& frame : response.frames) {
-      std::string error;
-      const std::optional<FrameEvent> event = FromMessage(frame, &error);
-      if (event && event->id.drive == id.drive && event->id.index < id.index) {
-        Map(boost::make_shared<FrameEventMsg>(frame), *event);
-      }
-    }
-    if (!response.more || response.next_index <= next) return;
-  }
+  const uint32_t next = engine_.NextIndex(id);
+  if (next >= id.index) return;
+  ros::ServiceClient& frontend = frontends_[id.drive.robot];
+  FetchFrames([&](auto& request, auto& response) { return frontend.call(request, response); },
+              {id.drive, next}, id.index,
+              [this](const FrameEventMsg& message, const FrameEvent& event) {
+                Map(boost::make_shared<FrameEventMsg>(message), event);
+              });
 }
 
 void MappingNode::Map(const FrameEventMsg::ConstPtr& message, const FrameEvent& event) {
@@ -148,6 +138,9 @@ void MappingNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) 
   status.add("events dropped, queue full", counters.dropped);
   status.add("events refused", counters.refused + picture.counters.refused_events);
   status.add("events missing", picture.counters.missing_events);
+  status.add("place matches", picture.num_place_matches);
+  status.add("place matches refused", counters.refused_matches);
+  status.add("overlaps judged", picture.merges.size());
   status.add("sessions", sessions.size());
   status.add("sessions lost", picture.counters.lost_sessions);
   status.add("keyframes", picture.counters.keyframes);

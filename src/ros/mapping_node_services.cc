@@ -1,7 +1,7 @@
 // The services of MappingNode; see mapping_node.h.
-#include <future>
 #include <utility>
 
+#include "rovio_sfm/ros/answer_merge.h"
 #include "rovio_sfm/ros/export_map.h"
 #include "rovio_sfm/ros/map_messages.h"
 #include "rovio_sfm/ros/mapping_node.h"
@@ -9,6 +9,11 @@
 #include "rovio_sfm/ros/topics.h"
 
 namespace rovio_sfm {
+namespace {
+
+constexpr char kDropped[] = "the call was dropped: too many frames are queued";
+
+}  // namespace
 
 void MappingNode::AdvertiseServices() {
   ros::NodeHandle node(node_);
@@ -20,6 +25,8 @@ void MappingNode::AdvertiseServices() {
       node.advertiseService(topics::kFinishSession, &MappingNode::FinishSession, this),
       node.advertiseService(topics::kExportMap, &MappingNode::ExportMap, this),
       node.advertiseService(topics::kReset, &MappingNode::Reset, this),
+      node.advertiseService(topics::kMergeSessions, &MappingNode::MergeSessions, this),
+      node.advertiseService(topics::kUnmergeSession, &MappingNode::UnmergeSession, this),
   };
 }
 
@@ -52,13 +59,13 @@ Status MappingNode::CloseSession(const std::string& robot, uint32_t* session) {
   std::string error;
   if (!IsValidRobotName(robot, &error)) return InvalidArgument(error);
   bool is_known = false;
-  const bool has_run = RunOnWorker([&] {
+  const auto close = [&] {
     const MapPicture picture = engine_.Picture();
     const auto anchor = picture.anchors.find(robot);
     if (anchor != picture.anchors.end()) *session = anchor->second.session.value;
     is_known = engine_.FinishSession(robot);
-  });
-  if (!has_run) return Internal("the call was dropped: too many frames are queued");
+  };
+  if (!RunAndWait(close, &worker_)) return Internal(kDropped);
   if (!is_known) return NotFound("robot " + robot + " has no session that runs");
   return Ok("the session of " + robot + " is finished; its next frame begins another");
 }
@@ -73,26 +80,24 @@ bool MappingNode::Reset(ResetRequest& request, ResetResponse& response) {
     response.status = InvalidArgument("confirm: expected true; all maps would be forgotten");
     return true;
   }
-  const bool has_run = RunOnWorker([this] {
+  const auto reset = [this] {
     engine_.Reset();
     history_.Clear();
-  });
-  response.status = has_run ? Ok("all maps are forgotten")
-                            : Internal("the call was dropped: too many frames are queued");
+  };
+  response.status = RunAndWait(reset, &worker_) ? Ok("all maps are forgotten") : Internal(kDropped);
   return true;
 }
 
-bool MappingNode::RunOnWorker(Job job) {
-  auto task = std::make_shared<std::packaged_task<void()>>(std::move(job));
-  std::future<void> done = task->get_future();
-  if (!worker_.Push([task] { (*task)(); })) return false;
-  task.reset();  // so that a dropped job breaks its promise
-  try {
-    done.get();
-    return true;
-  } catch (const std::future_error&) {
-    return false;
-  }
+bool MappingNode::MergeSessions(MergeSessionsRequest& request, MergeSessionsResponse& response) {
+  const auto merge = [&] { response = AnswerMerge(request, &engine_); };
+  if (!RunAndWait(merge, &worker_)) response.status = Internal(kDropped);
+  return true;
+}
+
+bool MappingNode::UnmergeSession(UnmergeSessionRequest& request, UnmergeSessionResponse& response) {
+  const auto unmerge = [&] { response = AnswerUnmerge(request, &engine_); };
+  if (!RunAndWait(unmerge, &worker_)) response.status = Internal(kDropped);
+  return true;
 }
 
 }  // namespace rovio_sfm

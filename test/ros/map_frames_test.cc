@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "ros/small_map.h"
+#include "rovio_sfm/pipeline/level_map.h"
+#include "rovio_sfm/ros/conversions.h"
 
 namespace rovio_sfm {
 namespace {
@@ -87,6 +89,52 @@ TEST(MapFrames, MergedSessionHangsWhereTheMergePutsIt) {
   const auto* merged = Find(edges, "session_2/map");
   ASSERT_NE(merged, nullptr);
   EXPECT_NEAR(merged->transform.translation.x, 3.0, 1e-9);  // along the view: forward
+}
+
+TEST(MapFrames, SessionsOfAMergedMapShareItsUnit) {
+  MapPicture picture;
+  auto snapshot = std::make_shared<MapSnapshot>(*SmallMaps(2));
+  snapshot->sessions[1].map = {1};
+  snapshot->sessions[1].map_from_session.scale = 2.0;
+  picture.snapshot = snapshot;
+  const SessionSnapshot& merged = snapshot->sessions[1];
+  EXPECT_NEAR(CameraInLevel(merged, *FindFrame(merged, 4))->translation.x(), 4.0, 1e-9);
+  snapshot->sessions[1].scale = MapScale{3.0, 0.01, "odometry"};  // shared: of its own unit
+  EXPECT_NEAR(CameraInLevel(merged, *FindFrame(merged, 4))->translation.x(), 6.0, 1e-9);
+}
+
+TEST(MapFrames, CamerasAreWhereTheCloudOfTheMergedMapHasThem) {
+  auto snapshot = std::make_shared<MapSnapshot>(*SmallMaps(2));
+  snapshot->sessions[1].map = {1};
+  snapshot->sessions[1].map_from_session = {
+      2.0,
+      Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Eigen::Vector3d(0.3, 1.0, 0.2).normalized())),
+      {1.0, 2.0, 3.0}};
+  snapshot->sessions[0].scale = MapScale{0.5, 0.01, "odometry"};
+  snapshot->sessions[1].scale = MapScale{1.0, 0.01, "odometry"};
+  MapPicture picture;
+  picture.snapshot = snapshot;
+  const auto edges = MapEdges(picture, ros::Time(5));
+  const auto* edge = Find(edges, "session_2/map");
+  ASSERT_NE(edge, nullptr);
+  std::string error;
+  const auto map_from_level = FromTransform(edge->transform, &error);
+  ASSERT_TRUE(map_from_level) << error;
+  const SessionSnapshot& merged = snapshot->sessions[1];
+  const auto level_from_camera = CameraInLevel(merged, *FindFrame(merged, 2));
+  const std::vector<PosedImage> images = PosedImages(*FindLevelMap(*snapshot, MapId{1}));
+  const Rigid3& expected = images[4].level_from_camera.reference_from_body;
+  const Rigid3 map_from_camera = *map_from_level * *level_from_camera;
+  EXPECT_LT((map_from_camera.translation - expected.translation).norm(), 1e-9);
+  EXPECT_LT(map_from_camera.rotation.angularDistance(expected.rotation), 1e-6);
+}
+
+TEST(MapFrames, RootIsTheFirstSessionWithAFrame) {
+  auto snapshot = std::make_shared<MapSnapshot>(*SmallMaps(2));
+  snapshot->sessions[0].frames.clear();
+  ASSERT_NE(FindRoot(*snapshot), nullptr);
+  EXPECT_EQ(FindRoot(*snapshot)->id.value, 2u);
+  EXPECT_EQ(FindRoot(MapSnapshot()), nullptr);
 }
 
 TEST(MapFrames, FrameIsFoundByItsIndexAlone) {

@@ -35,12 +35,23 @@ TEST(MapMessages, PathRunsForwardInTheFrameOfItsSession) {
   EXPECT_EQ(path.poses[2].header.stamp, ros::Time(3));
 }
 
-TEST(MapMessages, MarkersDrawEveryKeyframeInTheColourOfItsSession) {
-  const auto markers = CameraMarkers(*SmallMaps(2), ros::Time(3)).markers;
-  ASSERT_EQ(markers.size(), 3u);  // the first clears
-  EXPECT_EQ(markers[1].points.size(), 3u * 16u);
-  EXPECT_EQ(markers[2].header.frame_id, "session_2/map");
-  EXPECT_NE(markers[1].color.r, markers[2].color.r);
+TEST(MapMessages, CloudOfAMergedMapHoldsAllItsSessionsInOneScale) {
+  MapSnapshot snapshot = *SmallMaps(2);
+  snapshot.sessions[1].map = {1};
+  snapshot.sessions[1].map_from_session.scale = 2.0;
+  snapshot.sessions[0].scale = MapScale{0.5, 0.01, "odometry"};
+  snapshot.sessions[1].scale = MapScale{1.0, 0.01, "odometry"};  // of a unit of the session
+  const auto map = FindLevelMap(snapshot, MapId{1});
+  ASSERT_TRUE(map);
+  const sensor_msgs::PointCloud2 cloud = CloudMessage(*map, "map", ros::Time(3));
+  ASSERT_EQ(cloud.width * cloud.height, 4u);
+  sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x");
+  sensor_msgs::PointCloud2ConstIterator<uint32_t> session(cloud, "session");
+  EXPECT_NEAR(x[0], 2.5f, 1e-5f);
+  EXPECT_EQ(*session, 1u);
+  x += 2, session += 2;
+  EXPECT_NEAR(x[0], 5.0f, 1e-5f);
+  EXPECT_EQ(*session, 2u);
 }
 
 TEST(MapMessages, SummariesCountFramesAndLandmarks) {
@@ -61,7 +72,7 @@ TEST(MapMessages, SummariesCountFramesAndLandmarks) {
 TEST(MapMessages, EmptySnapshotGivesEmptyMessages) {
   const MapSnapshot snapshot;
   EXPECT_TRUE(MapSummaries(snapshot).empty());
-  EXPECT_EQ(CameraMarkers(snapshot, ros::Time(3)).markers.size(), 1u);
+  EXPECT_TRUE(SessionSummaries(snapshot).empty());
 }
 
 }  // namespace

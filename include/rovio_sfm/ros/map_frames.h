@@ -10,15 +10,24 @@
 #include "rovio_sfm/ros/mapping_engine.h"
 
 // The tf frames of maps and sessions, and the poses in them. `session_<n>/map` is base_link at the
-// session's first registered frame, x forward, z up; metres if the map is metric, else map units.
+// session's first registered frame, x forward, z up; metres if the map is metric, else units of the
+// map.
 namespace rovio_sfm {
 
-// "map", in which the root map is shown: that with the smallest number.
+// "map", in which the root map is shown: the first that has a frame.
 std::string MapFrame();
 std::string SessionFrame(SessionId session);
 
+// The session that holds the gauge of the root map; null while no session has a frame.
+const SessionSnapshot* FindRoot(const MapSnapshot& snapshot);
+const SessionSnapshot* FindSession(const MapSnapshot& snapshot, SessionId id);  // null: unknown
+
 // The registered frame with that index; null if it has no pose (any more).
 const FrameSnapshot* FindFrame(const SessionSnapshot& session, uint32_t index);
+
+// session_<n>/map from the session's own gauge. All sessions of a map share its unit, so that rigid
+// motions join them. Nothing for a session without frames.
+std::optional<Sim3> LevelInUnitOfMap(const SessionSnapshot& session);
 
 // level_from_camera: the camera in its session's frame. Nothing for a session without frames.
 std::optional<Rigid3> CameraInLevel(const SessionSnapshot& session, const FrameSnapshot& frame);

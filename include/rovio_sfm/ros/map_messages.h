@@ -3,7 +3,6 @@
 #include <nav_msgs/Path.h>
 #include <rovio_sfm/MapStatus.h>
 #include <sensor_msgs/PointCloud2.h>
-#include <visualization_msgs/MarkerArray.h>
 
 #include <string>
 
@@ -20,9 +19,6 @@ sensor_msgs::PointCloud2 CloudMessage(const LevelMap& map, const std::string& fr
 
 // The cameras of a session in session_<n>/map, by index; weak poses are left out.
 nav_msgs::Path PathMessage(const SessionSnapshot& session, const ros::Time& stamp);
-
-// One list of frusta per session, in its own colour and frame; keyframes only.
-visualization_msgs::MarkerArray CameraMarkers(const MapSnapshot& snapshot, const ros::Time& stamp);
 
 SessionSummary SummaryOf(const SessionSnapshot& session);
 std::vector<SessionSummary> SessionSummaries(const MapSnapshot& snapshot);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "rovio_sfm/pipeline/mapper.h"
 #include "rovio_sfm/scene/memory_frame_store.h"
@@ -26,6 +27,8 @@ struct MapPicture {
   std::map<std::string, OdometryAnchor> anchors;  // by robot, of its newest registered frame
   MapperCounters counters;
   uint64_t num_events = 0;
+  std::vector<MergeReport> merges;  // by id
+  uint64_t num_place_matches = 0;
 };
 
 // The mapper of all robots with what it needs, and the rules of who may send: a robot's new drive
@@ -36,6 +39,15 @@ class MappingEngine {
   explicit MappingEngine(const MapperOptions& options);
 
   MapperReport Add(const FrameEvent& event);
+  // Takes an overlap; it waits until its frames are there. Merge reports say what became of it.
+  void Add(const PlaceMatch& match);
+  // By request, of known sessions that have frames; the report says what was done, or why not.
+  MergeReport Merge(SessionId a, SessionId b, bool force);
+  // b_from_a: session_<b>/map from session_<a>/map.
+  MergeReport MergeAt(SessionId a, SessionId b, const Sim3& b_from_a);
+  // Takes a session out of its map; returns what was undone, nothing if it was alone.
+  std::vector<MergeReport> Unmerge(SessionId id);
+
   // The first index of the event's drive that is missing before it; its own index if none is.
   uint32_t NextIndex(const FrameId& id) const;
 
@@ -65,7 +77,7 @@ class MappingEngine {
   std::set<DriveId> ended_drives_;
   std::map<DriveId, uint32_t> next_indices_;
   std::map<std::string, OdometryAnchor> anchors_;
-  uint64_t num_events_ = 0;
+  uint64_t num_events_ = 0, num_place_matches_ = 0;
   mutable Mutex mutex_;
   MapPicture picture_ GUARDED_BY(mutex_);
 };

@@ -8,26 +8,29 @@
 #include <rovio_sfm/FrameEventMsg.h>
 #include <rovio_sfm/GetFrames.h>
 #include <rovio_sfm/ListSessions.h>
+#include <rovio_sfm/MergeSessions.h>
+#include <rovio_sfm/PlaceMatchMsg.h>
 #include <rovio_sfm/Reset.h>
 #include <rovio_sfm/StartSession.h>
+#include <rovio_sfm/UnmergeSession.h>
 
 #include <atomic>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "rovio_sfm/ros/event_history.h"
+#include "rovio_sfm/ros/frame_subscriber.h"
+#include "rovio_sfm/ros/job_worker.h"
 #include "rovio_sfm/ros/map_publisher.h"
 #include "rovio_sfm/ros/mapping_engine.h"
 #include "rovio_sfm/ros/mapping_node_options.h"
-#include "rovio_sfm/util/worker.h"
 
 namespace rovio_sfm {
 
-// Frame events of all robots in, maps out. The callbacks of the main thread convert and push; the
-// worker owns the mapper; services have threads of their own, so that a call that waits for the
-// worker holds up nothing else.
+// Frame events of all robots and place matches in, maps out. The callbacks of the main thread
+// convert and push; the worker owns the mapper; services have threads of their own, so that a call
+// that waits for the worker holds up nothing else.
 class MappingNode {
  public:
   MappingNode(const MappingNodeOptions& options, ros::NodeHandle node,
@@ -38,13 +41,12 @@ class MappingNode {
   void Tick() { diagnostics_.update(); }
 
  private:
-  using Job = std::function<void()>;
   static constexpr size_t kJobQueue = 500;  // events and calls; drop oldest, counted
 
-  void SubscribeFrames();
   void AdvertiseServices();
-  void OnFrame(const std::string& robot, const FrameEventMsg::ConstPtr& message);
-  void Refuse(const std::string& reason);
+  void OnPlaceMatch(const PlaceMatchMsg::ConstPtr& message);
+  // Runs on the worker, but for events that are still queued when the time to end is over.
+  void Push(Job job);
   void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
   IngestCounters Counters() const;
 
@@ -54,9 +56,9 @@ class MappingNode {
   bool FinishSession(FinishSessionRequest& request, FinishSessionResponse& response);
   bool ExportMap(ExportMapRequest& request, ExportMapResponse& response);
   bool Reset(ResetRequest& request, ResetResponse& response);
+  bool MergeSessions(MergeSessionsRequest& request, MergeSessionsResponse& response);
+  bool UnmergeSession(UnmergeSessionRequest& request, UnmergeSessionResponse& response);
   Status CloseSession(const std::string& robot, uint32_t* session);
-  // Runs a job on the worker and waits for it; false if the queue dropped it or has closed.
-  bool RunOnWorker(Job job);
 
   void Ingest(const FrameEventMsg::ConstPtr& message, const FrameEvent& event);  // worker, as below
   void FetchMissing(const FrameId& id);
@@ -68,17 +70,18 @@ class MappingNode {
   MappingEngine engine_;
   MapPublisher publisher_;
   EventHistory history_;
-  std::atomic<uint64_t> num_refused_{0};
+  std::atomic<uint64_t> num_refused_matches_{0};
   std::atomic<uint64_t> num_given_up_{0};                // queued events dropped at the end
   std::atomic<double> give_up_s_{0.0};                   // steady time; 0: never
   std::map<std::string, ros::ServiceClient> frontends_;  // get_frames, by robot
-  std::vector<ros::Subscriber> subscribers_;
   ros::CallbackQueue service_queue_;
   std::vector<ros::ServiceServer> services_;
   ros::AsyncSpinner service_spinner_;
   ros::WallTimer edge_timer_, map_timer_;
   diagnostic_updater::Updater diagnostics_;
-  Worker<Job> worker_;  // last: its thread uses the others
+  JobWorker worker_;                  // its thread uses the others
+  FrameSubscriber frame_subscriber_;  // pushes to the worker
+  ros::Subscriber match_subscriber_;  // likewise
 };
 
 }  // namespace rovio_sfm

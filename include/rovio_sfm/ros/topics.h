@@ -42,10 +42,12 @@ inline constexpr char kKeyframePose[] = "keyframe_pose";  // geometry_msgs/PoseS
 inline constexpr char kPose[] = "pose";                   // geometry_msgs/PoseStamped
 inline constexpr char kMapStatus[] = "map_status";        // MapStatus, latched
 inline constexpr char kListSessions[] = "list_sessions";  // service ListSessions
-inline constexpr char kStartSession[] = "start_session";  // service StartSession
-inline constexpr char kFinishSession[] = "finish_session";  // service FinishSession
-inline constexpr char kExportMap[] = "export_map";          // service ExportMap
-inline constexpr char kReset[] = "reset";                   // service Reset
+inline constexpr char kMergeSessions[] = "merge_sessions";    // service MergeSessions
+inline constexpr char kUnmergeSession[] = "unmerge_session";  // service UnmergeSession
+inline constexpr char kStartSession[] = "start_session";      // service StartSession
+inline constexpr char kFinishSession[] = "finish_session";    // service FinishSession
+inline constexpr char kExportMap[] = "export_map";            // service ExportMap
+inline constexpr char kReset[] = "reset";                     // service Reset
 inline constexpr uint32_t kMapQueue = 1;
 inline constexpr uint32_t kPoseQueue = 50;
 

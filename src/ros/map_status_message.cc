@@ -1,0 +1,59 @@
+#include "rovio_sfm/ros/map_status_message.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "rovio_sfm/ros/conversions.h"
+#include "rovio_sfm/ros/map_frames.h"
+#include "rovio_sfm/ros/map_messages.h"
+#include "rovio_sfm/ros/merge_report_message.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr size_t kMaxReports = 50;
+
+ros::Time NewestStamp(const MapSnapshot& snapshot) {
+  int64_t newest_ns = 0;
+  for (const SessionSnapshot& session : snapshot.sessions) {
+    for (const auto& block : session.frames) {
+      if (!block->empty()) newest_ns = std::max(newest_ns, block->back().stamp_ns);
+    }
+  }
+  return ToTime(newest_ns);
+}
+
+uint32_t CountVerdict(const std::vector<MergeReport>& merges, MergeVerdict verdict) {
+  return static_cast<uint32_t>(
+      std::count_if(merges.begin(), merges.end(),
+                    [&](const MergeReport& report) { return report.verdict == verdict; }));
+}
+
+void AddMerges(const std::vector<MergeReport>& merges, MapStatus* status) {
+  status->num_merges_accepted = CountVerdict(merges, MergeVerdict::kAccepted);
+  status->num_merges_provisional = CountVerdict(merges, MergeVerdict::kProvisional);
+  status->num_merges_refused = CountVerdict(merges, MergeVerdict::kRefused);
+  status->num_merges_undone = CountVerdict(merges, MergeVerdict::kUndone);
+  const size_t first = merges.size() - std::min(merges.size(), kMaxReports);
+  for (size_t i = first; i < merges.size(); ++i) status->merges.push_back(ToMessage(merges[i]));
+}
+
+}  // namespace
+
+MapStatus ToMessage(const MapPicture& picture, const IngestCounters& counters) {
+  MapStatus status;
+  status.header.frame_id = MapFrame();
+  status.header.stamp = NewestStamp(*picture.snapshot);
+  status.sessions = SessionSummaries(*picture.snapshot);
+  status.maps = MapSummaries(*picture.snapshot);
+  status.num_events = static_cast<uint32_t>(picture.num_events);
+  status.num_refused = static_cast<uint32_t>(counters.refused + picture.counters.refused_events);
+  status.num_missing = static_cast<uint32_t>(picture.counters.missing_events);
+  status.num_dropped = static_cast<uint32_t>(counters.dropped);
+  status.num_place_matches = static_cast<uint32_t>(picture.num_place_matches);
+  status.num_place_matches_refused = static_cast<uint32_t>(counters.refused_matches);
+  AddMerges(picture.merges, &status);
+  return status;
+}
+
+}  // namespace rovio_sfm
