@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
                 }},
         Refusal{"FeatureTwice", "inlier_query", [](auto* m) { m->pairs[0].inlier_query[1] = 2; }},
         Refusal{"ItselfAsOther", "pairs.other", [](auto* m) { m->pairs[0].other = m->query; }}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& refusal) { return refusal.param.name; });
 
 }  // namespace
 }  // namespace rovio_sfm
