@@ -1,0 +1,181 @@
+"""What the demo stands on: the graph of nodes, the truth of the simulators, a look at the maps."""
+
+import http.client
+import os
+import signal
+import socket
+import subprocess
+import threading
+import time
+
+TRUTH_PERIOD_S = 0.04
+KINDS = ("merge", "loop", "seed")
+VERDICTS = ("waits", "accepted", "provisional", "refused", "undone")
+KEYFRAMES_BEFORE_PICTURE = 60  # of the first robot: it comes near the place where they meet
+
+
+def run(*command, timeout_s=60, check=True):
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True,
+                          timeout=timeout_s, check=False)
+    if check and done.returncode != 0:
+        raise RuntimeError(f"{' '.join(map(str, command))}: {(done.stdout + done.stderr).strip()}")
+    return done.stdout
+
+
+def is_free(port):
+    with socket.socket() as probe:
+        try:
+            probe.bind(("127.0.0.1", port))
+        except OSError:
+            return False
+    return True
+
+
+def free_ports(count):
+    """The first of so many free ports in a row."""
+    while True:
+        with socket.socket() as probe:
+            probe.bind(("127.0.0.1", 0))
+            first = probe.getsockname()[1]
+        if first + count <= 65536 and all(is_free(first + i) for i in range(count)):
+            return first
+
+
+def wait_for(what, ready, graph, timeout_s=120):
+    deadline = time.monotonic() + timeout_s
+    while time.monotonic() < deadline:
+        graph.require_alive()
+        if ready():
+            return
+        time.sleep(0.5)
+    raise RuntimeError(f"{what} did not come up in {timeout_s} s; see {graph.log.name}")
+
+
+class Graph:
+    """The nodes of a launch file, under a roscore of their own."""
+
+    def __init__(self, out, arguments):
+        port = free_ports(1)
+        os.environ["ROS_MASTER_URI"] = f"http://127.0.0.1:{port}"
+        os.environ.update(ROS_IP="127.0.0.1", ROS_HOME=str(out / "ros"), PYTHONUNBUFFERED="1",
+                          ROSCONSOLE_STDOUT_LINE_BUFFERED="1")
+        os.environ.pop("ROS_HOSTNAME", None)
+        self.log = (out / "roslaunch.log").open("w")
+        self.process = subprocess.Popen(["roslaunch", "--port", str(port), "rovio_sfm"] + arguments,
+                                        stdout=self.log, stderr=subprocess.STDOUT,
+                                        start_new_session=True)
+
+    def require_alive(self):
+        if self.process.poll() is not None:
+            raise RuntimeError(f"roslaunch ended; see {self.log.name}")
+
+    def stop(self):
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGINT)
+            try:
+                self.process.wait(40)
+            except subprocess.TimeoutExpired:
+                self.process.kill()
+        self.log.close()
+
+
+class TruthRecorder(threading.Thread):
+    """Polls a simulator's true camera pose and stamps it with this machine's clock."""
+
+    def __init__(self, port):
+        super().__init__(daemon=True)
+        self.port, self.rows, self.stopped = port, [], threading.Event()
+
+    def run(self):
+        while not self.stopped.wait(TRUTH_PERIOD_S):
+            before = time.time()
+            pose = self.read()
+            if pose:
+                self.rows.append((0.5 * (before + time.time()), pose))
+
+    def read(self):
+        try:
+            connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=2)
+            connection.request("GET", "/sim?truth")
+            text = connection.getresponse().read().decode()
+            connection.close()
+        except (OSError, http.client.HTTPException):
+            return None
+        fields = dict(line.split(" = ", 1) for line in text.splitlines() if " = " in line)
+        return fields.get("world_from_camera")
+
+    def write(self, path):
+        self.stopped.set()
+        self.join()
+        path.write_text("# timestamp tx ty tz qx qy qz qw (camera to world)\n"
+                        + "".join(f"{stamp:.6f} {pose}\n" for stamp, pose in self.rows))
+
+
+def describe(merge):
+    """A merge report in a line; mapping's message says what every figure is."""
+    return (f"{KINDS[merge.kind]} {merge.id} {VERDICTS[merge.verdict]}: session "
+            f"{merge.query_session} ({merge.query.drive.robot}/{merge.query.index}) on "
+            f"{merge.other_session} ({merge.other.drive.robot}/{merge.other.index}), "
+            f"{merge.num_matches} matches, {merge.num_inliers} inliers, {merge.num_links} links, "
+            f"scale {merge.scale:.3f}, error {merge.error_before_px:.2f} -> "
+            f"{merge.error_after_px:.2f} px; {merge.reason}"
+            + (f"; warning: {merge.warning}" if merge.warning else ""))
+
+
+class MergeWatch:
+    """Follows map_status: prints what is merged, and keeps pictures of before and after."""
+
+    def __init__(self, start, pictures):
+        import rospy  # needs the master that Graph has named
+        from rovio_sfm.msg import MapStatus
+        self.start, self.pictures, self.status = start, pictures, None
+        self.told, self.lines, self.has_picture_before = {}, [], False
+        rospy.init_node("demo", anonymous=True, disable_signals=True)
+        self.subscriber = rospy.Subscriber("/map_status", MapStatus, self.keep, queue_size=10)
+
+    def keep(self, status):
+        self.status = status
+
+    def tell(self):
+        status = self.status
+        if status is None:
+            return
+        for merge in status.merges:
+            self.tell_merge(merge)
+        keyframes = [session.num_keyframes for session in status.sessions]
+        is_before = len(status.maps) > 1 and keyframes[0] >= KEYFRAMES_BEFORE_PICTURE
+        if is_before and not self.has_picture_before:
+            self.has_picture_before = True
+            self.take_picture("merge_before.png")
+
+    def tell_merge(self, merge):
+        if self.told.get(merge.id) == merge.verdict:
+            return
+        self.told[merge.id] = merge.verdict
+        line = f"{time.monotonic() - self.start:5.0f} s  {describe(merge)}"
+        self.lines.append(line)
+        if merge.kind != merge.LOOP:  # further overlaps of one map are many
+            print(line, flush=True)
+
+    def final_status(self, num_sessions, timeout_s=30):
+        """The status after all sessions are over."""
+        deadline = time.monotonic() + timeout_s
+        while time.monotonic() < deadline:
+            status = self.status
+            if status and sum(s.state >= s.FINISHED for s in status.sessions) >= num_sessions:
+                self.tell()
+                return status
+            time.sleep(0.2)
+        raise RuntimeError("map_status does not say that the sessions are finished")
+
+    def take_last_picture(self):
+        if self.pictures:
+            time.sleep(2.0)  # rviz shows the newest message with its next frame
+            self.take_picture("merge_after.png")
+
+    def take_picture(self, name):
+        if not self.pictures:
+            return
+        path = self.pictures / name
+        run("import", "-window", "root", "+dither", "-colors", "96", f"PNG8:{path}")
+        print(f"picture {path.resolve()}")
