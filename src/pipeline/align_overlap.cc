@@ -83,14 +83,14 @@ OverlapAlignment AlignOverlap(const Session& a, const Session& b, uint32_t query
                               const std::vector<OverlapPair>& pairs, const MapperOptions& options) {
   const std::vector<CrossMatch> matches = MatchesOf(a, b, query, pairs);
   Rng rng = StreamOf(options, query);
-  AlignReport report = AlignByPoints(matches, options.merge.align, rng);
+  const AlignReport report = AlignByPoints(matches, options.merge.align, rng);
   if (report.alignment) return Conclude(report, matches);
   const auto resection = ResectQuery(matches, options);
   if (!resection) return Conclude(report, matches);
   const Rigid3& query_from_b = b.keyframe(query).cam_from_session;
   const AlignReport resected = AlignByResection(matches, resection->cam_from_map, query_from_b,
                                                 PriorOf(a, b), options.merge.align);
-  return Conclude(resected.alignment ? resected : report, matches);
+  return Conclude(resected, matches);
 }
 
 OverlapAlignment AlignLinks(const Session& a, const Session& b,
