@@ -67,6 +67,7 @@ OverlapAlignment Conclude(const AlignReport& report, const std::vector<CrossMatc
   result.alignment = report.alignment;
   result.num_matches = report.num_matches;
   result.num_common = report.num_common;
+  result.needs_scale = report.refusal == AlignRefusal::kTooFewCommon;
   if (!report.alignment) {
     result.reason = std::string("no alignment: ") + ToString(report.refusal);
     return result;

@@ -22,6 +22,10 @@ bool IsRipe(const Session& session, const MergeOptions& options) {
   return session.keyframes().size() >= static_cast<size_t>(options.min_keyframes);
 }
 
+bool MayGetScale(const Session& session) {
+  return session.state() == SessionState::kMapping && !session.scale();
+}
+
 using PairsBySession = std::map<SessionId, std::vector<OverlapPair>>;
 
 // The pairs of the match by the session that holds their frames.
@@ -54,8 +58,8 @@ MapMerger::MapMerger(const MapperOptions& options, const FrameStore* store)
     : options_(options), store_(store) {}
 
 void MapMerger::Add(const PlaceMatch& match, const SessionTable& sessions) {
-  Waiting entry{match, 0, ""};
-  if (TryNow(match, sessions, &entry.reason)) return;
+  Waiting entry{match, 0, "", false};
+  if (TryNow(&entry, sessions)) return;
   waiting_.push_back(std::move(entry));
   if (waiting_.size() <= kMaxWaiting) return;
   GiveUp(waiting_.front());
@@ -65,7 +69,7 @@ void MapMerger::Add(const PlaceMatch& match, const SessionTable& sessions) {
 void MapMerger::Advance(const SessionTable& sessions) {
   std::deque<Waiting> waiting = std::exchange(waiting_, {});
   for (Waiting& entry : waiting) {
-    if (TryNow(entry.match, sessions, &entry.reason)) continue;
+    if (TryNow(&entry, sessions)) continue;
     if (++entry.age > options_.merge.patience) {
       GiveUp(entry);
     } else {
@@ -75,18 +79,18 @@ void MapMerger::Advance(const SessionTable& sessions) {
 }
 
 // False, and why, where the match must wait.
-bool MapMerger::TryNow(const PlaceMatch& match, const SessionTable& sessions,
-                       std::string* why_not) {
+bool MapMerger::TryNow(Waiting* entry, const SessionTable& sessions) {
+  const PlaceMatch& match = entry->match;
   const Session* query = sessions.FindHolder(match.query);
   const PairsBySession pairs = GroupPairs(match, sessions);
   if (query == nullptr || pairs.empty()) {
     const FrameId& missing = query == nullptr ? match.query : match.pairs.front().other;
-    *why_not = "frame " + missing.ToString() + " has no pose";
+    entry->reason = "frame " + missing.ToString() + " has no pose";
     return false;
   }
   const Session& other = *sessions.Find(FindRichest(pairs));
   if (!IsRipe(*query, options_.merge) || !IsRipe(other, options_.merge)) {
-    *why_not = "a session has too few keyframes";
+    entry->reason = "a session has too few keyframes";
     return false;
   }
   const int max_overlaps = options_.merge.max_overlaps;
@@ -95,7 +99,13 @@ bool MapMerger::TryNow(const PlaceMatch& match, const SessionTable& sessions,
   if (used_up || IsSeparated(query->id(), other.id())) return true;
   const std::vector<OverlapPair>& of_other = pairs.at(other.id());
   if (LinkLoop(match, other.id(), query->id(), of_other, sessions)) return true;
-  Judge(match, TryOverlap(other, *query, match.query, of_other, options_, *store_), sessions);
+  const bool scale_may_come = MayGetScale(*query) || MayGetScale(other);
+  if (entry->needs_scale && scale_may_come) return false;
+  OverlapTrial trial = TryOverlap(other, *query, match.query, of_other, options_, *store_);
+  entry->needs_scale = trial.needs_scale && scale_may_come;
+  entry->reason = trial.report.reason;
+  if (entry->needs_scale) return false;
+  Judge(match, std::move(trial), sessions);
   return true;
 }
 

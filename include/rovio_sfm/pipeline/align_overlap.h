@@ -16,6 +16,7 @@ namespace rovio_sfm {
 struct OverlapAlignment {
   std::optional<SessionAlignment> alignment;  // b_from_a
   std::string reason;                         // why there is none
+  bool needs_scale = false;  // there would be one if both sessions knew their scale
   std::vector<CrossMatch> inliers;
   int num_matches = 0, num_common = 0;  // of the input
 };

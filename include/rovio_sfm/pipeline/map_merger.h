@@ -58,9 +58,10 @@ class MapMerger {
     PlaceMatch match;
     int age = 0;  // keyframes
     std::string reason;
+    bool needs_scale = false;  // not tried again before both sessions know theirs, or have ended
   };
 
-  bool TryNow(const PlaceMatch& match, const SessionTable& sessions, std::string* why_not);
+  bool TryNow(Waiting* entry, const SessionTable& sessions);
   bool LinkLoop(const PlaceMatch& match, SessionId a, SessionId b,
                 const std::vector<OverlapPair>& pairs, const SessionTable& sessions);
   void Judge(const PlaceMatch& match, OverlapTrial trial, const SessionTable& sessions);

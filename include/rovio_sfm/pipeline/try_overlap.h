@@ -13,7 +13,8 @@ namespace rovio_sfm {
 
 // What an overlap would join, and how well it is proven.
 struct OverlapTrial {
-  MergeReport report;  // verdict: accepted, provisional or refused; nothing was changed yet
+  bool needs_scale = false;  // refused, but may be aligned once both sessions know their scale
+  MergeReport report;        // verdict: accepted, provisional or refused; nothing was changed yet
   std::vector<FeatureLink> links;  // a: of the other session, b: of the query's; sorted
 };
 
