@@ -67,7 +67,6 @@ OverlapAlignment Conclude(const AlignReport& report, const std::vector<CrossMatc
   result.alignment = report.alignment;
   result.num_matches = report.num_matches;
   result.num_common = report.num_common;
-  result.needs_scale = report.refusal == AlignRefusal::kTooFewCommon;
   if (!report.alignment) {
     result.reason = std::string("no alignment: ") + ToString(report.refusal);
     return result;
@@ -91,7 +90,9 @@ OverlapAlignment AlignOverlap(const Session& a, const Session& b, uint32_t query
   const Rigid3& query_from_b = b.keyframe(query).cam_from_session;
   const AlignReport resected = AlignByResection(matches, resection->cam_from_map, query_from_b,
                                                 PriorOf(a, b), options.merge.align);
-  return Conclude(resected, matches);
+  OverlapAlignment result = Conclude(resected, matches);
+  result.needs_scale = !result.alignment && !PriorOf(a, b);
+  return result;
 }
 
 OverlapAlignment AlignLinks(const Session& a, const Session& b,
