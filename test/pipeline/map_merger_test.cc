@@ -69,6 +69,23 @@ TEST(MapMerger, LetsAMatchWaitForThePoseOfItsFrame) {
   EXPECT_EQ(sessions.merger.num_waiting(), 0u);
 }
 
+TEST(MapMerger, LetsAMatchWaitForTheScaleItNeeds) {
+  Sessions sessions;
+  const PlaceMatch match = TrueOverlap(sessions.two, 8, 8);
+  for (const FeatureMatch& inlier : match.pairs[0].inliers) {
+    const TrackId track = sessions.b.keyframe(8).tracks[inlier.b];
+    if (sessions.b.FindLandmark(track) != nullptr) sessions.b.RemoveLandmark(track);
+  }
+  sessions.merger.Add(match, sessions.table);
+  EXPECT_EQ(sessions.merger.num_waiting(), 1u);
+  sessions.a.set_scale({0.5, 0.05, "odometry"});
+  sessions.b.set_scale({0.5 / OtherGauge().scale, 0.05, "odometry"});
+  sessions.merger.Advance(sessions.table);
+  EXPECT_EQ(sessions.merger.num_waiting(), 0u);
+  ASSERT_EQ(sessions.merger.Reports().size(), 1u);
+  EXPECT_TRUE(sessions.merger.Reports()[0].by_resection) << sessions.merger.Reports()[0].reason;
+}
+
 TEST(MapMerger, GivesUpWithAReasonWhatWaitedInVain) {
   MergeOptions merge;
   merge.patience = 3;
