@@ -4,12 +4,11 @@
 #include <cmath>
 #include <map>
 
-#include "rovio_sfm/sfm/prune_landmarks.h"
+#include "rovio_sfm/pipeline/stage_options.h"
 
 namespace rovio_sfm {
 namespace {
 
-constexpr double kMaxCountedPx = 20.0;
 constexpr int kFinalRounds = 3;
 constexpr double kLooseFactor = 3.0;  // links may be that much worse before the adjustment
 
@@ -76,9 +75,7 @@ uint32_t DropBadLinks(const std::vector<PlacedSession>& sessions, double max_err
 uint32_t PruneSessions(const std::vector<PlacedSession>& sessions, const MapperOptions& options) {
   uint32_t num_removed = 0;
   for (const PlacedSession& placed : sessions) {
-    const PruneLandmarksOptions prune{options.prune.max_error_px / options.pixel_sigma_px,
-                                      options.triangulate.min_parallax_deg * M_PI / 180.0};
-    num_removed += PruneAllLandmarks(prune, placed.session).num_observations;
+    num_removed += PruneAllLandmarks(PruneOptionsOf(options), placed.session).num_observations;
   }
   return num_removed;
 }
@@ -106,13 +103,6 @@ LinkStatistics MeasureLinks(const std::vector<PlacedSession>& sessions,
   if (errors.empty()) return statistics;
   std::sort(errors.begin(), errors.end());
   statistics.median_error_px = errors[errors.size() / 2];
-  double sum = 0.0, count = 0.0;
-  for (const double error : errors) {
-    if (error > kMaxCountedPx) break;
-    sum += error * error;
-    count += 1.0;
-  }
-  statistics.rms_error_px = count > 0.0 ? std::sqrt(sum / count) : 0.0;
   return statistics;
 }
 

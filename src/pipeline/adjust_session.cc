@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "rovio_sfm/pipeline/stage_options.h"
 #include "rovio_sfm/sfm/triangulate_tracks.h"
 
 namespace rovio_sfm {
@@ -16,16 +17,9 @@ constexpr int kFinalRounds = 5;
 constexpr double kLocalTolerance = 1e-4;  // the next frame's adjustment goes on where this one ends
 constexpr double kSettledShare = 0.0005;  // of the observations that changed in a round
 
-double Radians(double degrees) { return degrees * M_PI / 180.0; }
-
 BundleOptions LocalBundleOptions(const MapperOptions& options) {
   return {options.adjust.local_max_iterations, options.adjust.loss_px / options.pixel_sigma_px,
           kLocalTolerance};
-}
-
-PruneLandmarksOptions PruneWithin(const MapperOptions& options) {
-  return {options.prune.max_error_px / options.pixel_sigma_px,
-          Radians(options.triangulate.min_parallax_deg)};
 }
 
 size_t NumObservations(const Session& session) {
@@ -35,9 +29,7 @@ size_t NumObservations(const Session& session) {
 }
 
 uint32_t CompleteAll(const MapperOptions& options, Session* session) {
-  const TriangulateTracksOptions triangulate{
-      Radians(options.triangulate.min_parallax_deg),
-      options.triangulate.max_error_px / options.pixel_sigma_px};
+  const TriangulateTracksOptions triangulate = TriangulateOptionsOf(options);
   uint32_t num_changed = 0;
   for (const auto& [index, frame] : session->keyframes()) {
     const TriangulateReport report = TriangulateTracks(index, triangulate, session);
@@ -47,7 +39,7 @@ uint32_t CompleteAll(const MapperOptions& options, Session* session) {
 }
 
 PruneLandmarksOptions FinalPrune(const MapperOptions& options, const Session& session) {
-  PruneLandmarksOptions prune = PruneWithin(options);
+  PruneLandmarksOptions prune = PruneOptionsOf(options);
   const double spread = ResidualSpread(session);
   prune.max_error_sigmas =
       std::min(prune.max_error_sigmas, options.prune.final_error_sigmas * std::sqrt(2.0) * spread);
@@ -63,7 +55,7 @@ PruneReport AdjustLocally(uint32_t frame, const MapperOptions& options, Session*
   if (AdjustBundle(&bundle.problem, LocalBundleOptions(options)).usable) {
     ApplyBundle(bundle, false, session);
   }
-  return PruneLandmarks(bundle.tracks, PruneWithin(options), session);
+  return PruneLandmarks(bundle.tracks, PruneOptionsOf(options), session);
 }
 
 PruneReport AdjustFinally(const MapperOptions& options, Session* session) {

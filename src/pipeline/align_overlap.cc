@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "rovio_sfm/sfm/resect_frame.h"
+#include "rovio_sfm/pipeline/register_frame.h"
 
 namespace rovio_sfm {
 namespace {
@@ -21,8 +21,8 @@ std::vector<CrossMatch> MatchesOf(const Session& a, const Session& b, uint32_t q
 }
 
 // The query camera among the landmarks of session a.
-std::optional<Resection> ResectQuery(const std::vector<CrossMatch>& matches,
-                                     const MapperOptions& options) {
+std::optional<Registration> ResectQuery(const std::vector<CrossMatch>& matches,
+                                        const MapperOptions& options) {
   std::map<uint32_t, PoseObservation> seen;  // by feature: each once
   for (const CrossMatch& match : matches) {
     if (!match.a.landmark) continue;
@@ -32,15 +32,7 @@ std::optional<Resection> ResectQuery(const std::vector<CrossMatch>& matches,
   }
   std::vector<PoseObservation> observations;
   for (const auto& [feature, observation] : seen) observations.push_back(observation);
-  Rng rng = Rng(options.seed).Fork(observations.size());
-  const auto resection =
-      ResectFrame(observations,
-                  {options.resect.threshold_px / options.pixel_sigma_px,
-                   options.resect.max_iterations, options.adjust.loss_px / options.pixel_sigma_px},
-                  rng);
-  const auto min_inliers = static_cast<size_t>(options.resect.min_inliers);
-  if (!resection || resection->inliers.size() < min_inliers) return std::nullopt;
-  return resection;
+  return RegisterObservations(observations, observations.size(), options);
 }
 
 // What the odometry of both sessions says of their scales.
@@ -88,7 +80,7 @@ OverlapAlignment AlignOverlap(const Session& a, const Session& b, uint32_t query
   const auto resection = ResectQuery(matches, options);
   if (!resection) return Conclude(report, matches);
   const Rigid3& query_from_b = b.keyframe(query).cam_from_session;
-  const AlignReport resected = AlignByResection(matches, resection->cam_from_map, query_from_b,
+  const AlignReport resected = AlignByResection(matches, resection->cam_from_session, query_from_b,
                                                 PriorOf(a, b), options.merge.align);
   OverlapAlignment result = Conclude(resected, matches);
   result.needs_scale = !result.alignment && !PriorOf(a, b);

@@ -9,6 +9,7 @@
 #include "rovio_sfm/pipeline/register_frame.h"
 #include "rovio_sfm/pipeline/search_landmarks.h"
 #include "rovio_sfm/pipeline/seed_session.h"
+#include "rovio_sfm/pipeline/stage_options.h"
 #include "rovio_sfm/pipeline/start_session.h"
 #include "rovio_sfm/pipeline/update_scale.h"
 #include "rovio_sfm/pipeline/weak_pose.h"
@@ -176,9 +177,7 @@ std::optional<Registration> DriveMapper::Resect(const FrameEvent& event, MapperR
 void DriveMapper::GrowMap(uint32_t frame, MapperReport* report) {
   ++counters_.keyframes;
   const MapperOptions& options = context_.options;
-  const TriangulateTracksOptions triangulate{
-      Radians(options.triangulate.min_parallax_deg),
-      options.triangulate.max_error_px / options.pixel_sigma_px};
+  const TriangulateTracksOptions triangulate = TriangulateOptionsOf(options);
   {
     const auto scope = MeasureStage(context_.times, "search");
     CompleteLandmarks(frame, triangulate.max_error_sigmas, &current());

@@ -22,13 +22,6 @@ std::optional<Registration> Accept(const std::optional<Resection>& resection, si
                       static_cast<uint32_t>(resection->inliers.size())};
 }
 
-std::optional<Registration> Resect(const std::vector<PoseObservation>& observations,
-                                   uint64_t stream, const MapperOptions& options) {
-  Rng rng = Rng(options.seed).Fork(stream);
-  return Accept(ResectFrame(observations, ResectOptionsOf(options), rng), observations.size(),
-                options);
-}
-
 std::vector<PoseObservation> ObservationsOf(const LightFrame& frame, const MapperOptions& options,
                                             const Session& session) {
   std::vector<PoseObservation> observations;
@@ -42,6 +35,13 @@ std::vector<PoseObservation> ObservationsOf(const LightFrame& frame, const Mappe
 
 }  // namespace
 
+std::optional<Registration> RegisterObservations(const std::vector<PoseObservation>& observations,
+                                                 uint64_t stream, const MapperOptions& options) {
+  Rng rng = Rng(options.seed).Fork(stream);
+  return Accept(ResectFrame(observations, ResectOptionsOf(options), rng), observations.size(),
+                options);
+}
+
 std::optional<Registration> RegisterKeyframe(const FrameEvent& event, const MapperOptions& options,
                                              const Session& session) {
   std::vector<PoseObservation> observations;
@@ -53,7 +53,7 @@ std::optional<Registration> RegisterKeyframe(const FrameEvent& event, const Mapp
     observations.push_back(
         {landmark->position, keypoint.x_normalized, FeatureSigma(keypoint, event.camera, options)});
   }
-  return Resect(observations, event.id.index, options);
+  return RegisterObservations(observations, event.id.index, options);
 }
 
 std::optional<Registration> RegisterAgain(uint32_t frame, const MapperOptions& options,
@@ -66,7 +66,7 @@ std::optional<Registration> RegisterAgain(uint32_t frame, const MapperOptions& o
     if (landmark == nullptr) continue;
     observations.push_back({landmark->position, keyframe.points[i], keyframe.sigmas[i]});
   }
-  return Resect(observations, frame, options);
+  return RegisterObservations(observations, frame, options);
 }
 
 bool PoseLightFrame(uint32_t index, const std::optional<Rigid3>& predicted_cam_from_session,
@@ -83,7 +83,7 @@ bool PoseLightFrame(uint32_t index, const std::optional<Rigid3>& predicted_cam_f
         ResectFromPrediction(observations, *predicted_cam_from_session, ResectOptionsOf(options)),
         observations.size(), options);
   }
-  if (!registration) registration = Resect(observations, index, options);
+  if (!registration) registration = RegisterObservations(observations, index, options);
   if (!registration) return false;
   frame->reference = reference->first;
   frame->cam_from_reference =

@@ -6,7 +6,8 @@
 
 #include "rovio_sfm/pipeline/make_keyframe.h"
 #include "rovio_sfm/pipeline/map_bundle.h"
-#include "rovio_sfm/sfm/resect_frame.h"
+#include "rovio_sfm/pipeline/register_frame.h"
+#include "rovio_sfm/pipeline/stage_options.h"
 #include "rovio_sfm/sfm/triangulate_tracks.h"
 
 namespace rovio_sfm {
@@ -59,15 +60,9 @@ std::optional<Rigid3> Resect(const FrameEvent& event, const Borrowed& by_feature
     observations.push_back(
         {position, keypoint.x_normalized, FeatureSigma(keypoint, event.camera, options)});
   }
-  Rng rng = Rng(options.seed).Fork(event.id.index);
-  const auto resection =
-      ResectFrame(observations,
-                  {options.resect.threshold_px / options.pixel_sigma_px,
-                   options.resect.max_iterations, options.adjust.loss_px / options.pixel_sigma_px},
-                  rng);
-  const auto min_inliers = static_cast<size_t>(options.resect.min_inliers);
-  if (!resection || resection->inliers.size() < min_inliers) return std::nullopt;
-  return resection->cam_from_map;
+  const auto registration = RegisterObservations(observations, event.id.index, options);
+  if (!registration) return std::nullopt;
+  return registration->cam_from_session;
 }
 
 // What the tracks of the matched features carry to another held frame.
@@ -115,9 +110,7 @@ bool SeedSession(const std::deque<FrameEvent>& held, const std::vector<PlaceMatc
   if (other == nullptr) return false;
   const auto poses = PoseHeld(held, matches, *other, options, *session);
   if (poses.size() < 2) return false;
-  const TriangulateTracksOptions triangulate{
-      options.triangulate.min_parallax_deg * M_PI / 180.0,
-      options.triangulate.max_error_px / options.pixel_sigma_px};
+  const TriangulateTracksOptions triangulate = TriangulateOptionsOf(options);
   for (const FrameEvent& event : held) {
     const auto pose = poses.find(event.id.index);
     if (pose == poses.end()) continue;

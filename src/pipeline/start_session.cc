@@ -1,9 +1,8 @@
 #include "rovio_sfm/pipeline/start_session.h"
 
-#include <cmath>
-
 #include "rovio_sfm/pipeline/adjust_session.h"
 #include "rovio_sfm/pipeline/make_keyframe.h"
+#include "rovio_sfm/pipeline/stage_options.h"
 #include "rovio_sfm/sfm/triangulate_tracks.h"
 
 namespace rovio_sfm {
@@ -14,9 +13,7 @@ bool StartSession(const BootstrapPair& pair, const std::deque<FrameEvent>& held,
   const FrameEvent& second = held[pair.second];
   session->AddKeyframe(first.id.index, MakeKeyframe(first, Rigid3{}, options));
   session->AddKeyframe(second.id.index, MakeKeyframe(second, pair.second_from_first, options));
-  const TriangulateTracksOptions triangulate{
-      options.triangulate.min_parallax_deg * M_PI / 180.0,
-      options.triangulate.max_error_px / options.pixel_sigma_px};
+  const TriangulateTracksOptions triangulate = TriangulateOptionsOf(options);
   TriangulateTracks(second.id.index, triangulate, session);
   if (!session->landmarks().empty()) AdjustLocally(second.id.index, options, session);
   if (session->landmarks().size() >= static_cast<size_t>(options.bootstrap.min_inliers) / 2) {

@@ -13,7 +13,6 @@ namespace rovio_sfm {
 struct LinkStatistics {
   uint32_t num_links = 0;        // of registered keyframes, with a landmark at one end at least
   double median_error_px = 0.0;  // of the landmarks seen across
-  double rms_error_px = 0.0;     // of the errors below 20 px
 };
 
 LinkStatistics MeasureLinks(const std::vector<PlacedSession>& sessions,

@@ -29,7 +29,7 @@ class Mapper {
   MapperReport Add(const FrameEvent& event);
 
   // Takes an overlap: joins the maps it touches, closes a loop, or waits for its frames (§4.3).
-  // What became of it, and of those that it confirmed.
+  // MergeReports says what became of it.
   void Add(const PlaceMatch& match);
   // Maps a whole drive from the maps that its frames see (§4.3.2, Algorithm 2): seeded where the
   // matches of its frames say, forward from there, then in reverse; where no match carries, from

@@ -6,6 +6,7 @@
 #include "rovio_sfm/pipeline/events.h"
 #include "rovio_sfm/pipeline/mapper_options.h"
 #include "rovio_sfm/scene/session.h"
+#include "rovio_sfm/sfm/refine_pose.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
@@ -20,6 +21,11 @@ struct Registration {
 // than options.min_inliers agree.
 std::optional<Registration> RegisterKeyframe(const FrameEvent& event, const MapperOptions& options,
                                              const Session& session);
+
+// The pose of a frame from what it sees of landmarks, by RANSAC on a stream of its own; nothing
+// where fewer than options.min_inliers agree.
+std::optional<Registration> RegisterObservations(const std::vector<PoseObservation>& observations,
+                                                 uint64_t stream, const MapperOptions& options);
 
 // The pose of a keyframe that the session already holds, from its members of tracks with landmarks.
 std::optional<Registration> RegisterAgain(uint32_t frame, const MapperOptions& options,
