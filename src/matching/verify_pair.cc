@@ -15,9 +15,6 @@
 namespace rovio_sfm {
 namespace {
 
-constexpr int kMinIterations =
-    50;  // a few more samples than needed give local optimisation a choice
-
 constexpr int kMaxRefineSteps = 10;
 constexpr double kLossScale = 0.67;  // of Cauchy's loss, in thresholds
 
@@ -50,7 +47,7 @@ PairProblem MakeProblem(const std::vector<Eigen::Vector2d>& points_a,
 RansacOptions MakeRansacOptions(const PairProblem& problem) {
   RansacOptions options;
   options.max_iterations = problem.options.max_iterations;
-  options.min_iterations = std::min(kMinIterations, options.max_iterations);
+  options.min_iterations = std::min(problem.options.min_iterations, options.max_iterations);
   options.confidence = problem.options.confidence;
   options.threshold = problem.Threshold();
   options.prosac_samples = problem.options.prosac_samples;
@@ -235,6 +232,7 @@ bool VerifyPairOptions::IsValid(std::string* error) const {
   if (max_iterations < 1 || max_iterations > 100000) {
     return Refuse("max_iterations", max_iterations, "1 to 100000", error);
   }
+  if (min_iterations < 0) return Refuse("min_iterations", min_iterations, "0 or more", error);
   if (!(confidence > 0.0 && confidence < 1.0)) {
     return Refuse("confidence", confidence, "in (0, 1)", error);
   }

@@ -11,6 +11,7 @@
 namespace rovio_sfm {
 namespace {
 
+constexpr int kMinSamples = 500;
 constexpr size_t kMaxFirstFrames = 10;  // tested per new frame, spread evenly over those held
 
 std::vector<Eigen::Vector2d> PointsOf(const FrameEvent& event) {
@@ -34,6 +35,15 @@ std::vector<FeatureMatch> CommonTracks(const FrameEvent& first, const FrameEvent
     if (it != features.end()) matches.push_back({it->second, i, 0.0f, 1.0f});
   }
   return matches;
+}
+
+// Matches along tracks are nearly all right, so RANSAC would end after a few samples; but in front
+// of few planes a wrong motion explains four fifths of them, and one sample may lead there.
+VerifyPairOptions SearchThoroughly() {
+  VerifyPairOptions options;
+  options.min_iterations = kMinSamples;
+  options.prosac_samples = 0;
+  return options;
 }
 
 // The median angle of the pair's widest min_inliers points.
@@ -63,8 +73,8 @@ std::optional<BootstrapPair> TestPair(const std::deque<FrameEvent>& held, size_t
   const std::vector<Eigen::Vector2d> points_a = PointsOf(held[first]);
   const std::vector<Eigen::Vector2d> points_b = PointsOf(held[second]);
   Rng rng = Rng(seed).Fork(held[first].id.index * 1000003ULL + held[second].id.index);
-  const PairVerification pair =
-      VerifyPair(points_a, points_b, matches, held[second].camera.MeanFocal(), {}, rng);
+  const PairVerification pair = VerifyPair(
+      points_a, points_b, matches, held[second].camera.MeanFocal(), SearchThoroughly(), rng);
   if (pair.verdict != PairVerdict::kGeneral ||
       pair.inliers.size() < static_cast<size_t>(options.min_inliers)) {
     return std::nullopt;

@@ -159,7 +159,7 @@ void DriveMapper::AddKeyframe(const FrameEvent& event, MapperReport* report) {
   current().AddKeyframe(event.id.index,
                         MakeKeyframe(event, registration->cam_from_session, context_.options));
   GrowMap(event.id.index, report);
-  RetryWeakFrames();
+  RetryWeakFrames(context_.options.max_weak_tries);
   last_pose_ = current().keyframe(event.id.index).cam_from_session;
   UpdateScale(context_.options.scale, false, &current());
   global_.MaybeStart(current());
@@ -198,41 +198,44 @@ void DriveMapper::GrowMap(uint32_t frame, MapperReport* report) {
 
 void DriveMapper::AddWeak(const FrameEvent& event, MapperReport* report) {
   ++counters_.weak_frames;
-  weak_.push_back(event);
+  weak_.push_back({event});
   const auto pose = PredictWeakPose(event, current());
-  const auto max_weak = static_cast<size_t>(context_.options.max_weak_frames);
-  if (weak_.size() > max_weak || !pose) return LoseSession(report);
+  if (++num_weak_in_row_ > context_.options.max_weak_frames || !pose) return LoseSession(report);
   Keyframe frame = MakeKeyframe(event, *pose, context_.options);
   frame.weak = true;
   current().AddKeyframe(event.id.index, std::move(frame));
   report->outcome = MapperOutcome::kWeak;
 }
 
-void DriveMapper::RetryWeakFrames() {
-  while (!weak_.empty()) {
-    const uint32_t index = weak_.front().id.index;
-    weak_.pop_front();
-    const auto registration = RegisterAgain(index, context_.options, current());
-    if (!registration) {
-      current().RemoveKeyframe(index);
-      continue;
+// After a keyframe that is not weak: those that stay weak after max_tries of them are dropped.
+void DriveMapper::RetryWeakFrames(int max_tries) {
+  num_weak_in_row_ = 0;
+  for (WeakFrame& weak : std::exchange(weak_, {})) {
+    const uint32_t index = weak.event.id.index;
+    if (ResectWeakFrame(index, context_.options, &current())) {
+      MapperReport unused;
+      GrowMap(index, &unused);
+    } else if (++weak.num_tries < max_tries) {
+      weak_.push_back(std::move(weak));
+    } else {
+      DropKeyframe(index);
     }
-    current().SetPose(index, registration->cam_from_session);
-    current().SetWeak(index, false);
-    MapperReport unused;
-    GrowMap(index, &unused);
   }
 }
 
+void DriveMapper::DropKeyframe(uint32_t index) {
+  if (current().keyframes().count(index) != 0) current().RemoveKeyframe(index);
+}
+
+// The weak frames at its end are the first of the next session.
 void DriveMapper::LoseSession(MapperReport* report) {
   ++counters_.lost_sessions;
-  for (const FrameEvent& event : weak_) {
-    if (current().keyframes().count(event.id.index) != 0) current().RemoveKeyframe(event.id.index);
-  }
-  const std::deque<FrameEvent> weak = std::exchange(weak_, {});
+  std::vector<WeakFrame> weak = std::exchange(weak_, {});
+  for (const WeakFrame& frame : weak) DropKeyframe(frame.event.id.index);
+  weak.erase(weak.begin(), weak.end() - std::exchange(num_weak_in_row_, 0));
   CloseSession(SessionState::kLost);
   OpenSession();
-  for (const FrameEvent& event : weak) Hold(event, report);
+  for (const WeakFrame& frame : weak) Hold(frame.event, report);
 }
 
 void DriveMapper::AddLight(const FrameEvent& event, MapperReport* report) {
@@ -286,7 +289,7 @@ void DriveMapper::Finish() {
     const auto pair = FindBestBootstrapPair(held_, current(), bootstrap, context_.options.seed);
     if (pair) Start(*pair);
   }
-  if (current().state() == SessionState::kMapping) RetryWeakFrames();
+  if (current().state() == SessionState::kMapping) RetryWeakFrames(0);
   CloseSession(SessionState::kFinished);
   held_.clear();
 }

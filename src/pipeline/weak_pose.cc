@@ -3,6 +3,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "rovio_sfm/pipeline/register_frame.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -36,6 +38,15 @@ std::optional<Rigid3> PredictWeakPose(const FrameEvent& event, const Session& se
     return cam_from_other * other->second.cam_from_session;
   }
   return std::nullopt;
+}
+
+bool ResectWeakFrame(uint32_t index, const MapperOptions& options, Session* session) {
+  if (session->keyframes().count(index) == 0) return false;
+  const auto registration = RegisterAgain(index, options, *session);
+  if (!registration) return false;
+  session->SetPose(index, registration->cam_from_session);
+  session->SetWeak(index, false);
+  return true;
 }
 
 }  // namespace rovio_sfm

@@ -64,6 +64,7 @@ void ReadVerify(OptionReader reader, VerifyPairOptions* options) {
   reader.Read("threshold_px", &options->threshold_px);
   reader.Read("min_inliers", &options->min_inliers);
   reader.Read("max_iterations", &options->max_iterations);
+  reader.Read("min_iterations", &options->min_iterations);
   reader.Read("confidence", &options->confidence);
   reader.Read("prosac_samples", &options->prosac_samples);
   reader.ReadChoice(

@@ -75,6 +75,7 @@ void ReadOptions(OptionReader* reader, MapperOptions* options) {
   ReadF2(reader->Group("f2"), &options->f2);
   ReadOptions(&merge, &options->merge);
   reader->Read("max_weak_frames", &options->max_weak_frames);
+  reader->Read("max_weak_tries", &options->max_weak_tries);
   reader->Read("pixel_sigma_px", &options->pixel_sigma_px);
   reader->Read("sigma_size_px", &options->sigma_size_px);
   reader->Read("sigma_exponent", &options->sigma_exponent);

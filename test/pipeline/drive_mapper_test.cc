@@ -88,6 +88,25 @@ TEST(DriveMapper, TakesAWeakFrameInOnceItsTracksAreLinked) {
   run.ExpectTrajectory(0, 16, 1e-4);
 }
 
+TEST(DriveMapper, TriesAWeakFrameAgainAfterEachLaterOne) {
+  SyntheticDriveOptions options;
+  options.blind = {11};
+  options.with_late_links = true;
+  DriveRun run(options);
+  std::swap(run.drive.events[12].links, run.drive.events[15].links);
+  run.AddAll();
+  EXPECT_EQ(run.outcomes[11], MapperOutcome::kWeak);
+  EXPECT_FALSE(run.mapper.sessions()[0]->keyframe(11).weak);
+  run.ExpectTrajectory(0, 16, 1e-4);
+
+  MapperOptions few_tries;
+  few_tries.max_weak_tries = 2;
+  DriveRun dropped(options, few_tries);
+  std::swap(dropped.drive.events[12].links, dropped.drive.events[15].links);
+  dropped.AddAll();
+  EXPECT_EQ(dropped.mapper.sessions()[0]->keyframes().count(11), 0u);
+}
+
 TEST(DriveMapper, DropsAWeakFrameThatStaysWeak) {
   SyntheticDriveOptions options;
   options.blind = {11};

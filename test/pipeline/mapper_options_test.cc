@@ -24,6 +24,7 @@ TEST(MapperOptions, TheDefaultsAreValid) {
 
 TEST(MapperOptions, RefuseValuesOutOfRangeByName) {
   ExpectRefused("max_weak_frames", [](MapperOptions* o) { o->max_weak_frames = -1; });
+  ExpectRefused("max_weak_tries", [](MapperOptions* o) { o->max_weak_tries = 0; });
   ExpectRefused("pixel_sigma_px", [](MapperOptions* o) { o->pixel_sigma_px = 0.0; });
   ExpectRefused("sigma_size_px", [](MapperOptions* o) { o->sigma_size_px = 0.5; });
   ExpectRefused("sigma_exponent", [](MapperOptions* o) { o->sigma_exponent = 2.5; });

@@ -66,5 +66,24 @@ TEST(PredictWeakPose, AnswersNothingWithoutAPairOrAStep) {
   EXPECT_FALSE(PredictWeakPose(drive.events[1], PosedDrive(drive, 1)));  // no step before
 }
 
+TEST(ResectWeakFrame, PosesItFromItsLandmarks) {
+  const SyntheticDrive drive = MakeSyntheticDrive({});
+  Session session = MappedDrive(drive, 6);
+  session.AddKeyframe(6, MakeKeyframe(drive.events[6], {}, {}));
+  session.SetWeak(6, true);
+  ASSERT_TRUE(ResectWeakFrame(6, {}, &session));
+  EXPECT_FALSE(session.keyframe(6).weak);
+  EXPECT_LT(PoseDistance(session.keyframe(6).cam_from_session, drive.world.cams_from_map[6]), 1e-7);
+}
+
+TEST(ResectWeakFrame, LeavesOneWithoutLandmarksAndOneThatIsGone) {
+  const SyntheticDrive drive = MakeSyntheticDrive({});
+  Session session = PosedDrive(drive, 7);
+  session.SetWeak(6, true);
+  EXPECT_FALSE(ResectWeakFrame(6, {}, &session));
+  EXPECT_TRUE(session.keyframe(6).weak);
+  EXPECT_FALSE(ResectWeakFrame(7, {}, &session));
+}
+
 }  // namespace
 }  // namespace rovio_sfm

@@ -21,6 +21,8 @@ struct VerifyPairOptions {
   double threshold_px = 1.5;  // largest Sampson error of an inlier; (0, 50]
   int min_inliers = 20;       // fewer is a failed pair; 8 or more
   int max_iterations = 1000;  // RANSAC samples; 1 … 100 000
+  // Samples drawn even if fewer seem enough, to give local optimisation a choice; 0 or more.
+  int min_iterations = 200;
   double confidence = 0.999;  // of RANSAC; (0, 1)
   int prosac_samples = 500;   // samples until all matches take part, best ratio first; 0 or more
   PairPoseMethod pose_method = PairPoseMethod::kFivePoint;

@@ -55,6 +55,11 @@ class DriveMapper {
   const Camera& camera() const { return camera_; }
 
  private:
+  struct WeakFrame {
+    FrameEvent event;
+    int num_tries = 0;
+  };
+
   Session& current() { return *sessions_.back(); }
 
   std::optional<std::string> Refuse(const FrameEvent& event);
@@ -66,7 +71,8 @@ class DriveMapper {
   std::optional<Registration> Resect(const FrameEvent& event, MapperReport* report);
   void GrowMap(uint32_t frame, MapperReport* report);
   void AddWeak(const FrameEvent& event, MapperReport* report);
-  void RetryWeakFrames();
+  void RetryWeakFrames(int max_tries);
+  void DropKeyframe(uint32_t index);
   void LoseSession(MapperReport* report);
   void AddLight(const FrameEvent& event, MapperReport* report);
   void PoseWaitingLightFrames();
@@ -80,7 +86,8 @@ class DriveMapper {
   GlobalAdjustment global_;
   std::deque<FrameEvent> held_;  // keyframes before the session starts
   int num_waited_ = 0;           // keyframes since the first pair that would do
-  std::deque<FrameEvent> weak_;  // the newest keyframes, if they are weak
+  std::vector<WeakFrame> weak_;  // keyframes of the current session that may yet be resected
+  int num_weak_in_row_ = 0;      // of the newest keyframes
   std::vector<TrackLink> pending_links_;
   std::map<uint32_t, LightFrame> unposed_;  // light frames of the current session without a pose
   std::optional<Rigid3> last_pose_;         // cam_from_session of the last posed frame

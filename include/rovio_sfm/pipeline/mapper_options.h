@@ -72,6 +72,7 @@ struct MapperOptions {
   MergeOptions merge;
   FilterF2Options f2;           // when two landmarks of linked tracks become one
   int max_weak_frames = 3;      // more in a row end the session as lost, 0 to 100
+  int max_weak_tries = 10;      // later keyframes at which a weak one is tried again, 1 to 1000
   double pixel_sigma_px = 1.0;  // position of a small feature, 0.1 to 20
   double sigma_size_px = 6.0;   // features larger than that are less certain, 1 to 100
   double sigma_exponent = 0.5;  // sigma grows with (size / sigma_size_px) to this power, 0 to 2
