@@ -111,6 +111,7 @@ MapAdjustmentReport AdjustMap(const std::vector<PlacedSession>& sessions,
                               std::vector<FeatureLink>* links) {
   const double max_error_sigmas = options.prune.max_error_px / options.pixel_sigma_px;
   const double loss_sigmas = options.adjust.loss_px / options.pixel_sigma_px;
+  const auto max_frames = static_cast<size_t>(options.adjust.max_global_frames);
   MapAdjustmentReport report;
   report.before = MeasureLinks(sessions, *links);
   const int num_rounds = is_final ? kFinalRounds : 1;
@@ -121,7 +122,7 @@ MapAdjustmentReport AdjustMap(const std::vector<PlacedSession>& sessions,
     if (is_last && !is_final) break;
     const double link_error = round == 0 ? kLooseFactor * max_error_sigmas : max_error_sigmas;
     MapBundle bundle(sessions, *links, link_error);
-    if (!bundle.Solve({max_iterations, is_last ? 0.0 : loss_sigmas}).usable) {
+    if (!bundle.Solve({max_iterations, is_last ? 0.0 : loss_sigmas}, max_frames).usable) {
       break;
     }
     bundle.Apply();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rovio_sfm/pipeline/stage_options.h"
+#include "rovio_sfm/sfm/adjust_by_window.h"
 #include "rovio_sfm/sfm/triangulate_tracks.h"
 
 namespace rovio_sfm {
@@ -38,6 +39,12 @@ uint32_t CompleteAll(const MapperOptions& options, Session* session) {
   return num_changed;
 }
 
+bool Adjust(const BundleOptions& bundle_options, const MapperOptions& options,
+            SessionBundle* bundle) {
+  const auto max_frames = static_cast<size_t>(options.adjust.max_global_frames);
+  return AdjustByWindow(&bundle->problem, bundle_options, max_frames).usable;
+}
+
 PruneLandmarksOptions FinalPrune(const MapperOptions& options, const Session& session) {
   PruneLandmarksOptions prune = PruneOptionsOf(options);
   const double spread = ResidualSpread(session);
@@ -64,10 +71,8 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
   for (int round = 0; round < kFinalRounds; ++round) {
     uint32_t num_changed = CompleteAll(options, session);
     SessionBundle bundle = MakeGlobalBundle(*session);
-    if (!AdjustBundle(&bundle.problem, {options.adjust.global_max_iterations, loss_sigmas})
-             .usable) {
+    if (!Adjust({options.adjust.global_max_iterations, loss_sigmas}, options, &bundle))
       return total;
-    }
     ApplyBundle(bundle, true, session);
     const PruneReport pruned = PruneAllLandmarks(FinalPrune(options, *session), session);
     total.num_observations += pruned.num_observations;
@@ -76,7 +81,7 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
     if (num_changed < kSettledShare * static_cast<double>(NumObservations(*session))) break;
   }
   SessionBundle bundle = MakeGlobalBundle(*session);
-  if (AdjustBundle(&bundle.problem, {options.adjust.global_max_iterations, 0.0}).usable) {
+  if (Adjust({options.adjust.global_max_iterations, 0.0}, options, &bundle)) {
     ApplyBundle(bundle, true, session);
   }
   return total;
@@ -99,11 +104,12 @@ void GlobalAdjustment::MaybeStart(const Session& session) {
   num_landmarks_at_last_ = num_landmarks;
   const BundleOptions bundle_options{options_.local_max_iterations, loss_sigmas_};
   running_.emplace();
-  running_->result =
-      executor_->Submit([bundle = MakeGlobalBundle(session), bundle_options]() mutable {
-        if (!AdjustBundle(&bundle.problem, bundle_options).usable) bundle = {};
-        return std::move(bundle);
-      });
+  running_->result = executor_->Submit([bundle = MakeGlobalBundle(session), bundle_options,
+                                        max_frames = options_.max_global_frames]() mutable {
+    const auto size = static_cast<size_t>(max_frames);
+    if (!AdjustByWindow(&bundle.problem, bundle_options, size).usable) bundle = {};
+    return std::move(bundle);
+  });
 }
 
 bool GlobalAdjustment::Advance(Session* session) {

@@ -6,6 +6,7 @@
 
 #include "rovio_sfm/pipeline/link_tracks.h"
 #include "rovio_sfm/pipeline/make_keyframe.h"
+#include "rovio_sfm/pipeline/measure_odometry_delay.h"
 #include "rovio_sfm/pipeline/register_frame.h"
 #include "rovio_sfm/pipeline/search_landmarks.h"
 #include "rovio_sfm/pipeline/seed_session.h"
@@ -276,6 +277,7 @@ void DriveMapper::CloseSession(SessionState state) {
     RefineLightFrames(context_.options, &current());
     PoseWaitingLightFrames();
     UpdateScale(context_.options.scale, true, &current());
+    UpdateOdometryDelay(&current());
   }
   current().set_state(state);
   unposed_.clear();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "rovio_sfm/sfm/adjust_by_window.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -203,9 +205,9 @@ void MapBundle::Rescale(double factor) {
 }
 
 // The solver may hold the scale by a camera of any session.
-BundleReport MapBundle::Solve(const BundleOptions& options) {
+BundleReport MapBundle::Solve(const BundleOptions& options, size_t max_frames) {
   const double extent = RootExtent();
-  const BundleReport report = AdjustBundle(&problem_, options);
+  const BundleReport report = AdjustByWindow(&problem_, options, max_frames);
   if (report.usable && extent > 0.0) Rescale(extent / RootExtent());
   return report;
 }

@@ -52,12 +52,36 @@ SessionId FindRichest(const PairsBySession& pairs) {
   return richest;
 }
 
+bool HoldsBoth(const PlaceMatch& match, const FrameId& a, const FrameId& b) {
+  return std::any_of(match.pairs.begin(), match.pairs.end(), [&](const OverlapPair& pair) {
+    return std::minmax(match.query, pair.other) == std::minmax(a, b);
+  });
+}
+
 }  // namespace
 
 MapMerger::MapMerger(const MapperOptions& options, const FrameStore* store)
     : options_(options), store_(store) {}
 
 void MapMerger::Add(const PlaceMatch& match, const SessionTable& sessions) {
+  if (IsRepeated(match)) {
+    ++num_repeated_;
+  } else {
+    Take(match, sessions);
+  }
+}
+
+// As place recognition tells again after a restart.
+bool MapMerger::IsRepeated(const PlaceMatch& match) const {
+  const FrameId& other = match.pairs.front().other;
+  const auto repeats = [&](const Waiting& entry) {
+    return HoldsBoth(entry.match, match.query, other);
+  };
+  return ledger_.HasJudged(match.query, other) ||
+         std::any_of(waiting_.begin(), waiting_.end(), repeats);
+}
+
+void MapMerger::Take(const PlaceMatch& match, const SessionTable& sessions) {
   Waiting entry{match, 0, "", false};
   if (TryNow(&entry, sessions)) return;
   waiting_.push_back(std::move(entry));

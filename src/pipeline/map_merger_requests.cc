@@ -123,7 +123,7 @@ void MapMerger::Repeat(const MergeRecord& record, const SessionTable& sessions) 
     MergeAt(record.report.other_session, record.report.query_session,
             record.report.query_from_other, sessions);
   } else {
-    Add(record.match, sessions);
+    Take(record.match, sessions);
   }
 }
 

@@ -41,11 +41,12 @@ std::optional<OdometryDelay> MeasureOdometryDelay(const Session& session) {
   return EstimateOdometryDelay(samples, {});
 }
 
-void ReportOdometryDelay(const Session& session) {
-  const auto delay = MeasureOdometryDelay(session);
+void UpdateOdometryDelay(Session* session) {
+  const auto delay = MeasureOdometryDelay(*session);
+  session->set_odometry_delay(delay);
   if (!delay) return;
   std::ostringstream text;
-  text << "session " << session.id().value << ": odometry is stamped " << delay->delay_s
+  text << "session " << session->id().value << ": odometry is stamped " << delay->delay_s
        << " s later than images (1 sigma " << delay->sigma_s
        << " s); so much more should odom_latency_s - image_latency_s be";
   const double size_s = std::abs(delay->delay_s);

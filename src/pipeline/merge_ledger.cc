@@ -9,6 +9,9 @@ namespace rovio_sfm {
 
 MergeRecord& MergeLedger::Keep(MergeRecord record) {
   record.report.id = records_.empty() ? 1 : records_.back().report.id + 1;
+  for (const OverlapPair& pair : record.match.pairs) {
+    judged_.insert(std::minmax(record.match.query, pair.other));
+  }
   records_.push_back(std::move(record));
   return records_.back();
 }
@@ -70,6 +73,10 @@ void MergeLedger::KeepLinks(MapId map, const std::vector<FeatureLink>& kept) {
     record.links.erase(std::remove_if(record.links.begin(), record.links.end(), is_gone),
                        record.links.end());
   }
+}
+
+bool MergeLedger::HasJudged(const FrameId& a, const FrameId& b) const {
+  return judged_.count(std::minmax(a, b)) != 0;
 }
 
 int MergeLedger::CountAccepted(const DriveId& a, const DriveId& b) const {

@@ -90,6 +90,7 @@ void RestoreSession(const Session& before, const MapperOptions& options, Session
     }
   }
   restored.set_state(session->state());
+  restored.set_odometry_delay(session->odometry_delay());
   *session = std::move(restored);
 }
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <vector>
 
-#include "rovio_sfm/pipeline/measure_odometry_delay.h"
 #include "rovio_sfm/pipeline/odometry_gate.h"
 #include "rovio_sfm/sfm/estimate_floor_scale.h"
 #include "rovio_sfm/sfm/estimate_scale.h"
@@ -75,7 +74,6 @@ std::optional<MapScale> BestScale(const ScaleOptions& options, const Session& se
 }  // namespace
 
 bool UpdateScale(const ScaleOptions& options, bool adopt, Session* session) {
-  if (adopt) ReportOdometryDelay(*session);
   const std::optional<MapScale> scale = BestScale(options, *session);
   if (!scale) return false;
   if (session->scale() && !adopt) {

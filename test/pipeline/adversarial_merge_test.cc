@@ -81,12 +81,13 @@ TEST(AdversarialMerge, TwoWorldsThatShareThreeThingsStayApart) {
   Merging merging = TwoWorldsWithThreeThings();
   const std::string before = merging.Bytes();
   for (uint32_t frame_b = 0; frame_b < 20; frame_b += 6) {
-    for (uint32_t frame_a = 0; frame_a < 20; frame_a += 9) {
+    for (uint32_t frame_a = 0; frame_a < 18; frame_a += 8) {
       for (const uint32_t thing : {1u, 2u, 3u}) {
-        merging.Add(MatchThing(merging, thing, frame_a, frame_b));
+        merging.Add(MatchThing(merging, thing, frame_a + thing - 1, frame_b));
       }
     }
   }
+  EXPECT_EQ(merging.merger.num_repeated(), 0u);
   EXPECT_FALSE(merging.InOneMap()) << merging.WhyAccepted();
   EXPECT_EQ(merging.Bytes(), before);
 }

@@ -61,6 +61,17 @@ TEST(DriveMapper, StaysNearTheTruthWithNoiseAndCutTracks) {
   run.ExpectTrajectory(0, 16, 0.05);
 }
 
+TEST(DriveMapper, StaysNearTheTruthWhereTheMapIsAdjustedByWindows) {
+  SyntheticDriveOptions options;
+  options.world.noise_px = 1.0;
+  options.world.num_cams = 40;
+  MapperOptions windows;
+  windows.adjust.max_global_frames = 10;
+  DriveRun run(options, windows);
+  run.AddAll();
+  run.ExpectTrajectory(0, 40, 0.05);
+}
+
 TEST(DriveMapper, PosesLightFrames) {
   SyntheticDriveOptions options;
   options.light_frames = 1;

@@ -151,7 +151,7 @@ TEST(MapMerger, KeepsAMatchOnOneSpotProvisionalUntilAnotherConfirmsIt) {
   guarded.merger.Add(poster(3, 1.0), guarded.table);
   EXPECT_FALSE(guarded.InOneMap());
   EXPECT_EQ(guarded.merger.Reports()[0].verdict, MergeVerdict::kProvisional);
-  guarded.merger.Add(poster(3, 1.0), guarded.table);  // the same landmarks again: no confirmation
+  guarded.merger.Add(poster(4, 1.0), guarded.table);  // the same landmarks again: no confirmation
   EXPECT_FALSE(guarded.InOneMap());
 }
 
@@ -164,6 +164,42 @@ TEST(MapMerger, ClosesALoopWithoutMovingASession) {
   EXPECT_EQ(reports[1].kind, MergeKind::kLoop);
   EXPECT_EQ(reports[1].verdict, MergeVerdict::kAccepted);
   EXPECT_EQ(sessions.merger.PlaceOf(sessions.b.id()).revision, 1u);
+}
+
+// As a restarted place recognition says it.
+TEST(MapMerger, IgnoresAMatchThatIsSaidAgain) {
+  Sessions sessions(MakeTwoDrives(TwoDrivesOptions(0.7)));
+  sessions.merger.Add(TrueOverlap(sessions.two, 8, 8), sessions.table);
+  const std::string before = sessions.Bytes();
+  PlaceMatch turned = TrueOverlap(sessions.two, 8, 8);  // the other frame asks
+  std::swap(turned.query, turned.pairs[0].other);
+  for (FeatureMatch& inlier : turned.pairs[0].inliers) std::swap(inlier.a, inlier.b);
+  sessions.merger.Add(TrueOverlap(sessions.two, 8, 8), sessions.table);
+  sessions.merger.Add(turned, sessions.table);
+  EXPECT_EQ(sessions.merger.num_repeated(), 2u);
+  EXPECT_EQ(sessions.merger.Reports().size(), 1u);
+  EXPECT_EQ(sessions.Bytes(), before);
+}
+
+TEST(MapMerger, IgnoresAMatchThatIsSaidAgainWhileTheFirstWaits) {
+  Sessions sessions;
+  sessions.b.SetWeak(8, true);
+  for (int i = 0; i < 2; ++i) {
+    sessions.merger.Add(TrueOverlap(sessions.two, 8, 8), sessions.table);
+  }
+  EXPECT_EQ(sessions.merger.num_waiting(), 1u);
+  EXPECT_EQ(sessions.merger.num_repeated(), 1u);
+}
+
+TEST(MapMerger, HearsAgainAMatchThatWaitedInVain) {
+  Sessions sessions;
+  sessions.b.SetWeak(8, true);
+  sessions.merger.Add(TrueOverlap(sessions.two, 8, 8), sessions.table);
+  sessions.merger.GiveUpWaiting();
+  sessions.b.SetWeak(8, false);
+  sessions.merger.Add(TrueOverlap(sessions.two, 8, 8), sessions.table);
+  EXPECT_TRUE(sessions.InOneMap());
+  EXPECT_EQ(sessions.merger.num_repeated(), 0u);
 }
 
 TEST(MapMerger, MergesOnlyByRequestWhereAutomaticIsOff) {

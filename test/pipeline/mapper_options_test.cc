@@ -44,6 +44,7 @@ TEST(MapperOptions, RefuseBadPartsByTheirPath) {
 
 TEST(MapperOptions, RefuseNumbersThatAreNone) {
   ExpectRefused("pixel_sigma_px", [](MapperOptions* o) { o->pixel_sigma_px = std::nan(""); });
+  ExpectRefused("max_global_frames", [](MapperOptions* o) { o->adjust.max_global_frames = 9; });
   ExpectRefused("loss_px", [](MapperOptions* o) { o->adjust.loss_px = HUGE_VAL; });
 }
 

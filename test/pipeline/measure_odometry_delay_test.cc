@@ -56,14 +56,17 @@ TEST(MeasureOdometryDelay, KnowsNothingWithoutOdometry) {
   EXPECT_FALSE(MeasureOdometryDelay(TurningSession(false)).has_value());
 }
 
-TEST(MeasureOdometryDelay, WarnsOfADelayThatMatters) {
+TEST(UpdateOdometryDelay, WarnsOfADelayThatMattersAndKeepsIt) {
   std::string logged;
   SetLogSink([&](LogLevel level, const std::string& message) {
     if (level == LogLevel::kWarning) logged = message;
   });
-  ReportOdometryDelay(TurningSession(true));
+  Session session = TurningSession(true);
+  UpdateOdometryDelay(&session);
   SetLogSink([](LogLevel, const std::string&) {});
   EXPECT_NE(logged.find("session 1: odometry is stamped 0.0"), std::string::npos) << logged;
+  ASSERT_TRUE(session.Snapshot().odometry_delay.has_value());
+  EXPECT_NEAR(session.Snapshot().odometry_delay->delay_s, kDelayS, 0.01);
 }
 
 TEST(MeasureOdometryDelay, FindsItInAMapByTheStampsOfItsImages) {

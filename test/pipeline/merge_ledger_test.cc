@@ -57,6 +57,19 @@ TEST(MergeLedger, NumbersRecordsAndRaisesRevisions) {
   EXPECT_EQ(ledger.PlaceOf({2}).revision, 1u);
 }
 
+TEST(MergeLedger, KnowsWhichFramesItJudgedTogether) {
+  const FrameId a{{"first", 1, 1}, 4}, b{{"second", 2, 1}, 7}, c{{"first", 1, 1}, 5};
+  MergeLedger ledger;
+  MergeRecord record = Merge(1, 2, 1.0);
+  record.match.query = b;
+  record.match.pairs.resize(1);
+  record.match.pairs[0].other = a;
+  ledger.Keep(std::move(record));
+  EXPECT_TRUE(ledger.HasJudged(a, b));
+  EXPECT_TRUE(ledger.HasJudged(b, a));
+  EXPECT_FALSE(ledger.HasJudged(b, c));
+}
+
 TEST(MergeLedger, CountsOverlapsOfTwoDrivesBothWays) {
   MergeLedger ledger;
   MergeRecord record = Merge(1, 2, 1.0);

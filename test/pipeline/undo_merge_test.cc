@@ -32,7 +32,9 @@ TEST(RestoreSession, GivesOldFramesTheirBytesAndNewOnesTheirPlace) {
   const Session whole = MappedSession(two, true, {});
   const Session before = FirstFrames(whole, 10);
   Session now = MappedSession(two, true, OtherGauge());  // as a merge may have left it
+  now.set_odometry_delay(OdometryDelay{0.08, 0.01});     // of the robot, not of the merge
   RestoreSession(before, {}, &now);
+  EXPECT_TRUE(now.odometry_delay().has_value());
   EXPECT_EQ(NumbersOf(now, 10), NumbersOf(before, 10));
   EXPECT_EQ(now.keyframes().size(), whole.keyframes().size());
   for (const auto& [index, frame] : now.keyframes()) {

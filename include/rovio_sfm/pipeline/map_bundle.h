@@ -41,7 +41,8 @@ class MapBundle {
             double max_error_sigmas);
 
   // The first camera and the extent of the first session's path stay: they are the map's gauge.
-  BundleReport Solve(const BundleOptions& options);
+  // More frames than max_frames are adjusted by windows.
+  BundleReport Solve(const BundleOptions& options, size_t max_frames);
   // Writes the solution back into the sessions; their places in the map stay.
   void Apply() const;
 

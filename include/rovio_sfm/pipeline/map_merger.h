@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -24,7 +25,8 @@ class MapMerger {
   // Options must be valid; the store must outlive this.
   MapMerger(const MapperOptions& options, const FrameStore* store);
 
-  // Judges a place match at once or, where its frames or sessions are not there yet, later.
+  // Judges a place match at once or, where its frames or sessions are not there yet, later. One
+  // whose frame and matched frame were judged together before, or wait, is counted and ignored.
   void Add(const PlaceMatch& match, const SessionTable& sessions);
   // Counts a keyframe and tries again what waits.
   void Advance(const SessionTable& sessions);
@@ -48,6 +50,7 @@ class MapMerger {
   // All overlaps judged so far, by id, and those that waited in vain.
   std::vector<MergeReport> Reports() const;
   size_t num_waiting() const { return waiting_.size(); }
+  uint64_t num_repeated() const { return num_repeated_; }  // place matches ignored
   // Matches that wait whose query is a frame of the drive.
   std::vector<PlaceMatch> WaitingFor(const DriveId& drive) const;
   // The sessions that were changed here since the last call.
@@ -61,6 +64,8 @@ class MapMerger {
     bool needs_scale = false;  // not tried again before both sessions know theirs, or have ended
   };
 
+  bool IsRepeated(const PlaceMatch& match) const;
+  void Take(const PlaceMatch& match, const SessionTable& sessions);
   bool TryNow(Waiting* entry, const SessionTable& sessions);
   bool LinkLoop(const PlaceMatch& match, SessionId a, SessionId b,
                 const std::vector<OverlapPair>& pairs, const SessionTable& sessions);
@@ -79,6 +84,7 @@ class MapMerger {
   MapperOptions options_;
   const FrameStore* store_;
   std::deque<Waiting> waiting_;
+  uint64_t num_repeated_ = 0;
   MergeLedger ledger_;
   std::set<std::pair<SessionId, SessionId>> separated_;  // by request, smaller id first
   std::set<SessionId> changed_;

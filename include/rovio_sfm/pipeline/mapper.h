@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <vector>
@@ -41,6 +42,10 @@ class Mapper {
   std::vector<MergeReport> Unmerge(SessionId id);
   // All overlaps judged so far.
   std::vector<MergeReport> MergeReports() const { return merger_.Reports(); }
+  // Place matches that wait for their frames, poses or scale.
+  size_t num_matches_waiting() const { return merger_.num_waiting(); }
+  // Place matches ignored because their frames had been judged together before.
+  uint64_t num_matches_repeated() const { return merger_.num_repeated(); }
 
   // Closes the drive's current session with its final adjustment; should the drive go on, its next
   // frame opens another. False if the drive is unknown.

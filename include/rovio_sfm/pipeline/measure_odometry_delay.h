@@ -18,8 +18,8 @@ using YawByStamp = std::map<int64_t, double>;
 // or the odometry is unknown, or the robot turned too little.
 std::optional<OdometryDelay> MeasureOdometryDelay(const Session& session);
 
-// Logs what is measured of the session, and what to do about it.
-void ReportOdometryDelay(const Session& session);
+// Measures it, keeps it in the session, and logs what to do about it.
+void UpdateOdometryDelay(Session* session);
 
 // As the first, by every registered frame of a map, light ones too: the most certain of its
 // sessions.

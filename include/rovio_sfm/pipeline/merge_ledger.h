@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "rovio_sfm/pipeline/map_bundle.h"
@@ -55,12 +56,15 @@ class MergeLedger {
   std::vector<FeatureLink> LinksOf(MapId map, const MergeRecord* except = nullptr) const;
   // Forgets the links of a map that are not among those kept (sorted).
   void KeepLinks(MapId map, const std::vector<FeatureLink>& kept);
+  // True where a place match that was judged holds these two frames, whichever was its query.
+  bool HasJudged(const FrameId& a, const FrameId& b) const;
   // How many accepted overlaps join two drives.
   int CountAccepted(const DriveId& a, const DriveId& b) const;
 
  private:
-  std::deque<MergeRecord> records_;       // by report.id
-  std::map<SessionId, MapPlace> places_;  // of sessions in merged maps
+  std::deque<MergeRecord> records_;               // by report.id
+  std::set<std::pair<FrameId, FrameId>> judged_;  // smaller id first
+  std::map<SessionId, MapPlace> places_;          // of sessions in merged maps
   std::map<MapId, uint32_t> revisions_;
 };
 

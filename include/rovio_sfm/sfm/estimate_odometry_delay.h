@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "rovio_sfm/scene/map_snapshot.h"
+
 namespace rovio_sfm {
 
 // A registered frame: how the base is turned by vision and by the wheels.
@@ -23,13 +25,6 @@ struct OdometryDelayOptions {
   double max_sigma_s = 0.05;     // a less certain delay is none; 0.001 to 1
   int min_rates = 20;            // 5 to 100000
   bool IsValid(std::string* error) const;
-};
-
-// How much later than an image of the same moment an odometry sample is stamped, beyond what the
-// driver's options take off: odom_latency_s - image_latency_s. delay_s > 0: odometry comes late.
-struct OdometryDelay {
-  double delay_s = 0.0;
-  double sigma_s = 0.0;
 };
 
 // The delay at which the turn rates of vision and wheels agree best: their correlation, its peak
