@@ -14,6 +14,7 @@ import time
 
 import yaml
 
+import demo_services
 from demo_graph import Graph, MergeWatch, TruthRecorder, free_ports, run, wait_for
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -55,15 +56,17 @@ def drive(programs, out, graph, deadline, watch):
 
 
 def finish(watch):
-    """Ends the sessions, exports the map, and returns the status of the maps."""
+    """Ends the sessions and returns the status of the maps."""
     for robot in TOURS:
         run("rosservice", "call", "/finish_session", f"robot: {robot}", timeout_s=120)
-    status = watch.final_status(len(TOURS))
+    return watch.final_status(len(TOURS))
+
+
+def export():
     reply = yaml.safe_load(run("rosservice", "call", "/export_map",
                                "{map: 0, name: demo, overwrite: true}"))
     if not reply["files"]:
         raise RuntimeError(f"export_map: {reply['status']}")
-    return status
 
 
 def evaluate(programs, out, status):
@@ -112,15 +115,17 @@ def parse_arguments():
     parser.add_argument("--screenshots", type=pathlib.Path, metavar="DIR",
                         help="keep pictures of the display before and after the merge")
     parser.add_argument("--vocabulary", default="", help="another place model than the package's")
+    parser.add_argument("--services", action="store_true",
+                        help="afterwards unmerge the robots by rosservice, and merge them again")
     return parser.parse_args()
 
 
-def report(out, figures, merges):
+def report(out, figures, merges, answers):
     (out / "demo.json").write_text(json.dumps(figures, indent=2) + "\n")
     (out / "merges.txt").write_text("".join(merge + "\n" for merge in merges))
     run("/usr/bin/python3", ROOT / "scripts/plot_map.py", out / "map/demo/cloud.ply",
         out / "map/demo/trajectory.txt", out / "map.png")
-    results = verdicts(figures)
+    results = {**verdicts(figures), **answers}
     for text, holds in results.items():
         print(f"{'holds' if holds else 'FALLS':6} {text}")
     for name in ("map/demo/cloud.ply", "map/demo/trajectory.txt", "map.png", "merges.txt",
@@ -152,10 +157,12 @@ def main():
         has_seen_every_stop = drive(arguments.programs, out, graph, start + TOUR_DEADLINE_S, watch)
         status = finish(watch)
         watch.take_last_picture()
+        answers = demo_services.take_apart_and_merge() if arguments.services else {}
+        export()
     figures = evaluate(arguments.programs, out, status)
     figures["has_seen_every_stop"] = has_seen_every_stop
     figures["seconds"] = round(time.monotonic() - start)
-    return 0 if report(out, figures, watch.lines) else 1
+    return 0 if report(out, figures, watch.lines, answers) else 1
 
 
 if __name__ == "__main__":

@@ -36,5 +36,6 @@ LINES = [
     Line("lost", "robot lost in the middle (10 black pictures): one map again", merging.lost, False),
     Line("deterministic", "merged maps: the same bytes twice, with one and two threads",
          merging.deterministic, True),
-    Line("demo", "live: two robots merge in one map", demo, False),
+    Line("live", "live: two robots merge in one map, by themselves and by rosservice",
+         lambda quick: demo(quick, "--services"), False),
 ]
