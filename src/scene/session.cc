@@ -244,6 +244,7 @@ SessionSnapshot Session::Snapshot() const {
   snapshot.camera = camera_;
   snapshot.state = state_;
   snapshot.scale = scale_;
+  snapshot.odometry_delay = odometry_delay_;
   for (const auto& [index, frame] : light_frames_) {
     if (moved_.count(frame.reference) == 1) MarkFrame(index);
   }

@@ -22,6 +22,13 @@ struct MapScale {
   std::string source;      // "odometry", "camera height", or several
 };
 
+// How much later than an image of the same moment an odometry sample is stamped, beyond what the
+// frontend's odom_latency_s - image_latency_s takes off. delay_s > 0: odometry comes late.
+struct OdometryDelay {
+  double delay_s = 0.0;
+  double sigma_s = 0.0;
+};
+
 // One registered frame.
 struct FrameSnapshot {
   uint32_t index = 0;  // FrameId::index in the session's drive
@@ -56,6 +63,7 @@ struct SessionSnapshot {
   Camera camera;
   SessionState state = SessionState::kBootstrapping;
   std::optional<MapScale> scale;                          // of the session's unit; none: not metric
+  std::optional<OdometryDelay> odometry_delay;            // of one that ended, where its turns tell
   Sim3 map_from_session;                                  // identity for a map's root session
   std::vector<std::shared_ptr<const FrameBlock>> frames;  // by increasing index
   std::vector<std::shared_ptr<const LandmarkBlock>> landmarks;  // by increasing id

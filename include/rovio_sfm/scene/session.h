@@ -81,6 +81,7 @@ class Session {
   const Camera& camera() const { return camera_; }
   SessionState state() const { return state_; }
   const std::optional<MapScale>& scale() const { return scale_; }
+  const std::optional<OdometryDelay>& odometry_delay() const { return odometry_delay_; }
   const std::map<uint32_t, Keyframe>& keyframes() const { return keyframes_; }
   const std::map<uint32_t, LightFrame>& light_frames() const { return light_frames_; }
   const std::map<TrackId, Track>& tracks() const { return tracks_; }
@@ -91,6 +92,7 @@ class Session {
 
   void set_state(SessionState state) { state_ = state; }
   void set_scale(const MapScale& scale) { scale_ = scale; }
+  void set_odometry_delay(const std::optional<OdometryDelay>& delay) { odometry_delay_ = delay; }
 
   // Adds a keyframe with its features' tracks; ids may be any alias. A second feature of one track
   // in the frame is left without a track.
@@ -139,6 +141,7 @@ class Session {
   Camera camera_;
   SessionState state_ = SessionState::kBootstrapping;
   std::optional<MapScale> scale_;
+  std::optional<OdometryDelay> odometry_delay_;
   std::map<uint32_t, Keyframe> keyframes_;
   std::map<uint32_t, LightFrame> light_frames_;
   std::map<TrackId, Track> tracks_;
