@@ -3,17 +3,15 @@
 #include <ceres/ceres.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 
+#include "rovio_sfm/sfm/planar_motion_prior.h"
 #include "rovio_sfm/sfm/reprojection_cost.h"
 
 namespace rovio_sfm {
 namespace {
 
 constexpr size_t kMaxDenseCameras = 24;  // up to here a dense Schur complement is faster
-
-using PoseBlock = std::array<double, kPoseSize>;
 
 PoseBlock ToBlock(const Rigid3& cam_from_map) {
   const auto& q = cam_from_map.rotation;
@@ -78,10 +76,24 @@ void SetGauge(const Gauge& gauge, std::vector<PoseBlock>* poses, ceres::Problem*
   }
 }
 
-ceres::Solver::Options SolverOptions(const BundleProblem& problem, const BundleOptions& options,
-                                     const Gauge& gauge, std::vector<PoseBlock>* poses,
-                                     std::vector<Eigen::Vector3d>* points,
-                                     const ceres::Problem& solver) {
+// Points are eliminated first; the floor, which all poses share, last.
+std::shared_ptr<ceres::ParameterBlockOrdering> MakeOrdering(std::vector<Eigen::Vector3d>* points,
+                                                            std::vector<PoseBlock>* poses,
+                                                            FloorBlocks* floor,
+                                                            const ceres::Problem& solver) {
+  auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
+  const auto add = [&](double* block, int group) {
+    if (solver.HasParameterBlock(block)) ordering->AddElementToGroup(block, group);
+  };
+  for (Eigen::Vector3d& point : *points) add(point.data(), 0);
+  for (PoseBlock& pose : *poses) add(pose.data(), 1);
+  add(floor->normal.data(), 2);
+  add(&floor->offset, 2);
+  add(floor->mount_tilt.data(), 2);
+  return ordering;
+}
+
+ceres::Solver::Options SolverOptions(const BundleOptions& options, const Gauge& gauge) {
   ceres::Solver::Options solver_options;
   const auto num_free =
       static_cast<size_t>(std::count(gauge.fixed.begin(), gauge.fixed.end(), false));
@@ -93,15 +105,6 @@ ceres::Solver::Options SolverOptions(const BundleProblem& problem, const BundleO
   solver_options.max_num_iterations = options.max_iterations;
   solver_options.function_tolerance = options.function_tolerance;
   solver_options.logging_type = ceres::SILENT;
-  auto* ordering = new ceres::ParameterBlockOrdering;
-  for (Eigen::Vector3d& point : *points) {
-    if (solver.HasParameterBlock(point.data())) ordering->AddElementToGroup(point.data(), 0);
-  }
-  for (size_t i = 0; i < problem.cameras.size(); ++i) {
-    double* block = (*poses)[i].data();
-    if (solver.HasParameterBlock(block)) ordering->AddElementToGroup(block, 1);
-  }
-  solver_options.linear_solver_ordering.reset(ordering);
   return solver_options;
 }
 
@@ -118,12 +121,17 @@ BundleReport AdjustBundle(BundleProblem* problem, const BundleOptions& options) 
   const std::vector<Eigen::Vector3d> points_before = problem->points;
   const Gauge gauge = ChooseGauge(*problem);
 
+  FloorBlocks floor;
   ceres::Problem solver;
   AddObservations(problem, options, &poses, &solver);
+  if (options.planar_motion) {
+    AddPlanarMotion(problem->cameras, *options.planar_motion, &poses, &floor, &solver);
+  }
   SetGauge(gauge, &poses, &solver);
+  ceres::Solver::Options solver_options = SolverOptions(options, gauge);
+  solver_options.linear_solver_ordering = MakeOrdering(&problem->points, &poses, &floor, solver);
   ceres::Solver::Summary summary;
-  ceres::Solve(SolverOptions(*problem, options, gauge, &poses, &problem->points, solver), &solver,
-               &summary);
+  ceres::Solve(solver_options, &solver, &summary);
   report.iterations = static_cast<int>(summary.iterations.size());
   report.initial_cost = summary.initial_cost;
   report.final_cost = summary.final_cost;

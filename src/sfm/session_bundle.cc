@@ -50,7 +50,9 @@ class BundleBuilder {
   void AddCamera(uint32_t frame, bool fixed) {
     cameras_[frame] = static_cast<uint32_t>(bundle_.frames.size());
     bundle_.frames.push_back(frame);
-    bundle_.problem.cameras.push_back({session_.keyframe(frame).cam_from_session, fixed});
+    const Keyframe& keyframe = session_.keyframe(frame);
+    bundle_.problem.cameras.push_back(
+        {keyframe.cam_from_session, fixed, keyframe.base_from_camera});
   }
 
   void AddLandmark(TrackId id, const Landmark& landmark) {

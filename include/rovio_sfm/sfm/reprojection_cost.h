@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 namespace ceres {
 class CostFunction;
@@ -11,6 +12,7 @@ namespace rovio_sfm {
 
 // A camera as Ceres sees it: quaternion x y z w, then translation, of cam_from_map.
 constexpr int kPoseSize = 7;
+using PoseBlock = std::array<double, kPoseSize>;
 
 // Two residuals, (projection - x_normalized) / sigma, of a pose block and a point block (3), with
 // analytic Jacobians. The pose's Jacobian is taken in the tangent space of MakePoseManifold and put
