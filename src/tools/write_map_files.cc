@@ -1,5 +1,6 @@
 #include "rovio_sfm/tools/write_map_files.h"
 
+#include <algorithm>
 #include <map>
 
 namespace rovio_sfm {
@@ -11,6 +12,14 @@ std::map<DriveId, std::vector<StampedPose>> PosesByDrive(const LevelMap& map) {
     poses[image.id.drive].push_back(image.level_from_camera);
   }
   return poses;
+}
+
+// The robot, and where it has several drives in the map all that tells them apart.
+std::string NameOf(const DriveId& drive, const std::map<DriveId, std::vector<StampedPose>>& poses) {
+  const auto num_drives = std::count_if(poses.begin(), poses.end(), [&](const auto& other) {
+    return other.first.robot == drive.robot;
+  });
+  return num_drives > 1 ? drive.ToString() : drive.robot;
 }
 
 }  // namespace
@@ -36,7 +45,8 @@ std::vector<std::filesystem::path> WriteMapFiles(const LevelMap& map,
   write("trajectory.txt", MapTrajectoryText(map));
   const auto poses = PosesByDrive(map);
   for (const auto& [drive, drive_poses] : poses) {
-    if (poses.size() > 1) write("trajectory_" + drive.robot + ".txt", TrajectoryText(drive_poses));
+    if (poses.size() == 1) continue;
+    write("trajectory_" + NameOf(drive, poses) + ".txt", TrajectoryText(drive_poses));
   }
   write("cloud.ply", MapCloudBytes(map));
   return written;

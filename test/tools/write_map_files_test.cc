@@ -32,6 +32,18 @@ TEST(WriteMapFiles, WritesEachOfSeveralDrivesByItself) {
   EXPECT_EQ(ReadTrajectory(folder.Path() / "trajectory_robot2.txt").size(), 3u);
 }
 
+TEST(WriteMapFiles, WritesEachOfARobotsDrivesByItself) {
+  const TemporaryFolder folder;
+  LevelMap map = SmallMap(3);
+  map.sessions[1].drive = {"robot1", map.sessions[0].drive.start_ns, 7};  // nonce alone differs
+  EXPECT_EQ(WriteMapFiles(map, folder.Path(), Overwrite::kRefuse).size(), 5u);
+  for (const SessionSnapshot& session : {map.sessions[0], map.sessions[1]}) {
+    const std::string name = "trajectory_" + session.drive.ToString() + ".txt";
+    EXPECT_EQ(ReadTrajectory(folder.Path() / name).size(), 3u) << name;
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder.Path() / "trajectory_robot3.txt"));
+}
+
 TEST(MapCloudBytes, SaysItsUnit) {
   LevelMap map = SmallMap(1);
   EXPECT_NE(MapCloudBytes(map).find("map units"), std::string::npos);
