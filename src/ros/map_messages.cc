@@ -97,6 +97,11 @@ SessionSummary SummaryOf(const SessionSnapshot& session) {
   summary.map = session.map.value;
   summary.state = static_cast<uint8_t>(session.state);
   summary.drive = ToMessage(session.drive);
+  summary.has_odometry_delay = session.odometry_delay.has_value();
+  if (session.odometry_delay) {
+    summary.odometry_delay_s = session.odometry_delay->delay_s;
+    summary.odometry_delay_sigma_s = session.odometry_delay->sigma_s;
+  }
   bool is_first = true;
   for (const auto& block : session.frames) {
     for (const FrameSnapshot& frame : *block) {

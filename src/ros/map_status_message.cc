@@ -51,6 +51,8 @@ MapStatus ToMessage(const MapPicture& picture, const IngestCounters& counters) {
   status.num_missing = static_cast<uint32_t>(picture.counters.missing_events);
   status.num_dropped = static_cast<uint32_t>(counters.dropped);
   status.num_place_matches = static_cast<uint32_t>(picture.num_place_matches);
+  status.num_place_matches_waiting = static_cast<uint32_t>(picture.num_matches_waiting);
+  status.num_place_matches_repeated = static_cast<uint32_t>(picture.num_matches_repeated);
   status.num_place_matches_refused = static_cast<uint32_t>(counters.refused_matches);
   AddMerges(picture.merges, &status);
   return status;

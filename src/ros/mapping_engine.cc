@@ -109,6 +109,8 @@ void MappingEngine::Show() {
   picture.num_events = num_events_;
   picture.merges = state_->mapper.MergeReports();
   picture.num_place_matches = num_place_matches_;
+  picture.num_matches_waiting = state_->mapper.num_matches_waiting();
+  picture.num_matches_repeated = state_->mapper.num_matches_repeated();
   MutexLock lock(mutex_);
   picture_ = std::move(picture);
 }

@@ -139,6 +139,8 @@ void MappingNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) 
   status.add("events refused", counters.refused + picture.counters.refused_events);
   status.add("events missing", picture.counters.missing_events);
   status.add("place matches", picture.num_place_matches);
+  status.add("place matches waiting", picture.num_matches_waiting);
+  status.add("place matches repeated", picture.num_matches_repeated);
   status.add("place matches refused", counters.refused_matches);
   status.add("overlaps judged", picture.merges.size());
   status.add("sessions", sessions.size());

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kWarnPeriodS = 10.0;
 constexpr size_t kBytesPerMb = 1u << 20;
+constexpr size_t kMaxTold = 200;         // matches, some kB each
 constexpr uint32_t kServiceThreads = 1;  // calls wait for the worker one after the other
 
 double SteadySeconds() { return ros::SteadyTime::now().toSec(); }
@@ -30,8 +31,9 @@ PlaceRecognitionNode::PlaceRecognitionNode(const PlaceRecognitionNodeOptions& op
       cache_(static_cast<size_t>(options.cache_mb) * kBytesPerMb,
              [this](const FrameId& id) { return FetchFeatures(id); }),
       recognizer_(options.places, ReadPlaceModel(options.vocabulary), &cache_),
-      match_publisher_(
-          node_.advertise<PlaceMatchMsg>(topics::kPlaceMatches, topics::kPlaceMatchesQueue)),
+      match_publisher_(node_.advertise<PlaceMatchMsg>(
+          topics::kPlaceMatches, topics::kPlaceMatchesQueue,
+          [this](const ros::SingleSubscriberPublisher& subscriber) { TellAgain(subscriber); })),
       status_publisher_(
           node_.advertise<PlaceStatus>(topics::kPlaceStatus, topics::kPlaceStatusQueue, true)),
       mapping_frames_(node_.serviceClient<rovio_sfm::GetFrames>(topics::kGetFrames)),
@@ -145,7 +147,17 @@ std::vector<PlaceMatch> PlaceRecognitionNode::Overlaps(const SessionSummary& a,
 }
 
 void PlaceRecognitionNode::Publish(const std::vector<PlaceMatch>& matches, int64_t stamp_ns) {
-  for (const PlaceMatch& match : matches) match_publisher_.publish(ToMessage(match, stamp_ns));
+  MutexLock lock(mutex_);
+  for (const PlaceMatch& match : matches) {
+    told_.push_back(ToMessage(match, stamp_ns));
+    if (told_.size() > kMaxTold) told_.pop_front();
+    match_publisher_.publish(told_.back());
+  }
+}
+
+void PlaceRecognitionNode::TellAgain(const ros::SingleSubscriberPublisher& subscriber) {
+  MutexLock lock(mutex_);
+  for (const PlaceMatchMsg& message : told_) subscriber.publish(message);
 }
 
 void PlaceRecognitionNode::PublishStatus(int64_t stamp_ns, double query_s) {

@@ -69,6 +69,15 @@ TEST(MapMessages, SummariesCountFramesAndLandmarks) {
   EXPECT_EQ(maps[0].metres_per_unit, 0.0);
 }
 
+TEST(MapMessages, SummarySaysTheOdometrysDelayWhereItIsKnown) {
+  SessionSnapshot session = SmallSession(1);
+  EXPECT_FALSE(SummaryOf(session).has_odometry_delay);
+  session.odometry_delay = OdometryDelay{0.08, 0.01};
+  EXPECT_TRUE(SummaryOf(session).has_odometry_delay);
+  EXPECT_EQ(SummaryOf(session).odometry_delay_s, 0.08);
+  EXPECT_EQ(SummaryOf(session).odometry_delay_sigma_s, 0.01);
+}
+
 TEST(MapMessages, EmptySnapshotGivesEmptyMessages) {
   const MapSnapshot snapshot;
   EXPECT_TRUE(MapSummaries(snapshot).empty());

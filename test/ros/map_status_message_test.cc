@@ -11,7 +11,9 @@ TEST(MapStatusMessage, CountsWhatCameInAndWhatDidNot) {
   MapPicture picture;
   picture.snapshot = SmallMaps(2);
   picture.num_events = 6;
-  picture.num_place_matches = 3;
+  picture.num_place_matches = 9;
+  picture.num_matches_waiting = 3;
+  picture.num_matches_repeated = 5;
   const MapStatus status = ToMessage(picture, {1, 2, 4});
   EXPECT_EQ(status.header.stamp, ros::Time(3));
   EXPECT_EQ(status.sessions.size(), 2u);
@@ -19,7 +21,9 @@ TEST(MapStatusMessage, CountsWhatCameInAndWhatDidNot) {
   EXPECT_EQ(status.num_events, 6u);
   EXPECT_EQ(status.num_refused, 1u);
   EXPECT_EQ(status.num_dropped, 2u);
-  EXPECT_EQ(status.num_place_matches, 3u);
+  EXPECT_EQ(status.num_place_matches, 9u);
+  EXPECT_EQ(status.num_place_matches_waiting, 3u);
+  EXPECT_EQ(status.num_place_matches_repeated, 5u);
   EXPECT_EQ(status.num_place_matches_refused, 4u);
 }
 

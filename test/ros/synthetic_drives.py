@@ -24,8 +24,8 @@ def to_transform(rotation, translation):
 class World:
     """Points, and cameras on a circle round them. Even cameras are the first robot's."""
 
-    def __init__(self, start):
-        random = numpy.random.RandomState(1)
+    def __init__(self, start, seed=1):
+        random = numpy.random.RandomState(seed)
         self.start = start
         self.points = random.uniform(-1.5, 1.5, (NUM_POINTS, 3)) * [1, 0.55, 1] + [0, 0, DISTANCE]
         self.descriptors = random.randint(0, 80, (NUM_POINTS, 128)).astype(numpy.uint8)

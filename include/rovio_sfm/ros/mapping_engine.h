@@ -28,7 +28,7 @@ struct MapPicture {
   MapperCounters counters;
   uint64_t num_events = 0;
   std::vector<MergeReport> merges;  // by id
-  uint64_t num_place_matches = 0;
+  uint64_t num_place_matches = 0, num_matches_waiting = 0, num_matches_repeated = 0;
 };
 
 // The mapper of all robots with what it needs, and the rules of who may send: a robot's new drive

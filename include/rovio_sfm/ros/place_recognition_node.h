@@ -5,10 +5,12 @@
 #include <ros/ros.h>
 #include <rovio_sfm/FindOverlaps.h>
 #include <rovio_sfm/FrameEventMsg.h>
+#include <rovio_sfm/PlaceMatchMsg.h>
 #include <rovio_sfm/PlaceStatus.h>
 #include <rovio_sfm/QueryImage.h>
 #include <rovio_sfm/SessionSummary.h>
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -44,6 +46,9 @@ class PlaceRecognitionNode {
   bool QueryImage(QueryImageRequest& request, QueryImageResponse& response);
   std::optional<SessionSummary> FindSession(uint32_t number, Status* status);
   void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+  // Tells a subscriber that connects what was published before, the newest matches: after a restart
+  // mapping may be slower to connect than the first matches are found. It ignores what it knows.
+  void TellAgain(const ros::SingleSubscriberPublisher& subscriber) EXCLUDES(mutex_);
   PlaceStatus LastStatus() const EXCLUDES(mutex_);
 
   // All below run on the worker.
@@ -55,7 +60,7 @@ class PlaceRecognitionNode {
   bool CallMapping(GetFramesRequest& request, GetFramesResponse& response);
   std::vector<PlaceMatch> Overlaps(const SessionSummary& a, const SessionSummary& b,
                                    size_t* num_compared);
-  void Publish(const std::vector<PlaceMatch>& matches, int64_t stamp_ns);
+  void Publish(const std::vector<PlaceMatch>& matches, int64_t stamp_ns) EXCLUDES(mutex_);
   void PublishStatus(int64_t stamp_ns, double query_s) EXCLUDES(mutex_);
 
   const PlaceRecognitionNodeOptions options_;
@@ -66,6 +71,7 @@ class PlaceRecognitionNode {
   uint64_t num_events_ = 0, num_fetched_ = 0, num_missing_ = 0;
   mutable Mutex mutex_;
   PlaceStatus status_ GUARDED_BY(mutex_);
+  std::deque<PlaceMatchMsg> told_ GUARDED_BY(mutex_);  // drop oldest
   ros::Publisher match_publisher_, status_publisher_;
   ros::ServiceClient mapping_frames_, mapping_sessions_;
   std::map<std::string, ros::ServiceClient> frontends_;  // get_frames, by robot
