@@ -18,9 +18,9 @@ constexpr int kFinalRounds = 5;
 constexpr double kLocalTolerance = 1e-4;  // the next frame's adjustment goes on where this one ends
 constexpr double kSettledShare = 0.0005;  // of the observations that changed in a round
 
-BundleOptions LocalBundleOptions(const MapperOptions& options) {
+BundleOptions LocalBundleOptions(const MapperOptions& options, const Session& session) {
   return {options.adjust.local_max_iterations, options.adjust.loss_px / options.pixel_sigma_px,
-          kLocalTolerance};
+          kLocalTolerance, PlanarMotionOf(options.adjust, session.scale())};
 }
 
 size_t NumObservations(const Session& session) {
@@ -39,8 +39,9 @@ uint32_t CompleteAll(const MapperOptions& options, Session* session) {
   return num_changed;
 }
 
-bool Adjust(const BundleOptions& bundle_options, const MapperOptions& options,
+bool Adjust(BundleOptions bundle_options, const MapperOptions& options, const Session& session,
             SessionBundle* bundle) {
+  bundle_options.planar_motion = PlanarMotionOf(options.adjust, session.scale());
   const auto max_frames = static_cast<size_t>(options.adjust.max_global_frames);
   return AdjustByWindow(&bundle->problem, bundle_options, max_frames).usable;
 }
@@ -59,7 +60,7 @@ PruneReport AdjustLocally(uint32_t frame, const MapperOptions& options, Session*
   const auto max_free = static_cast<size_t>(options.adjust.local_frames);
   SessionBundle bundle = MakeLocalBundle(
       *session, CovisibleFrames(*session, frame, max_free, kMinShared), kMaxFixedFrames);
-  if (AdjustBundle(&bundle.problem, LocalBundleOptions(options)).usable) {
+  if (AdjustBundle(&bundle.problem, LocalBundleOptions(options, *session)).usable) {
     ApplyBundle(bundle, false, session);
   }
   return PruneLandmarks(bundle.tracks, PruneOptionsOf(options), session);
@@ -71,8 +72,9 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
   for (int round = 0; round < kFinalRounds; ++round) {
     uint32_t num_changed = CompleteAll(options, session);
     SessionBundle bundle = MakeGlobalBundle(*session);
-    if (!Adjust({options.adjust.global_max_iterations, loss_sigmas}, options, &bundle))
+    if (!Adjust({options.adjust.global_max_iterations, loss_sigmas}, options, *session, &bundle)) {
       return total;
+    }
     ApplyBundle(bundle, true, session);
     const PruneReport pruned = PruneAllLandmarks(FinalPrune(options, *session), session);
     total.num_observations += pruned.num_observations;
@@ -81,7 +83,7 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
     if (num_changed < kSettledShare * static_cast<double>(NumObservations(*session))) break;
   }
   SessionBundle bundle = MakeGlobalBundle(*session);
-  if (Adjust({options.adjust.global_max_iterations, 0.0}, options, &bundle)) {
+  if (Adjust({options.adjust.global_max_iterations, 0.0}, options, *session, &bundle)) {
     ApplyBundle(bundle, true, session);
   }
   return total;
@@ -102,7 +104,8 @@ void GlobalAdjustment::MaybeStart(const Session& session) {
   if (running_ || num_frames < kMinGlobalFrames || !grown) return;
   num_frames_at_last_ = num_frames;
   num_landmarks_at_last_ = num_landmarks;
-  const BundleOptions bundle_options{options_.local_max_iterations, loss_sigmas_};
+  BundleOptions bundle_options{options_.local_max_iterations, loss_sigmas_};
+  bundle_options.planar_motion = PlanarMotionOf(options_, session.scale());
   running_.emplace();
   running_->result = executor_->Submit([bundle = MakeGlobalBundle(session), bundle_options,
                                         max_frames = options_.max_global_frames]() mutable {
