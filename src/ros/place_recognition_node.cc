@@ -78,7 +78,7 @@ void PlaceRecognitionNode::FetchKnownDrives() {
 }
 
 void PlaceRecognitionNode::Ingest(const FrameEvent& event) {
-  ++num_events_;
+  if (num_events_++ == 0) FetchKnownDrives();  // some drive may have ended while this one connected
   FetchMissing(event.id);
   Recognize(event);
 }
