@@ -78,9 +78,10 @@ void PlaceRecognitionNode::FetchKnownDrives() {
 }
 
 void PlaceRecognitionNode::Ingest(const FrameEvent& event) {
-  if (num_events_++ == 0) FetchKnownDrives();  // some drive may have ended while this one connected
+  const bool is_first = num_events_++ == 0;
   FetchMissing(event.id);
   Recognize(event);
+  if (is_first) FetchKnownDrives();  // a drive may have ended while this node connected
 }
 
 // Asks mapping, which holds all, then the frontend, which holds the newest, for what lies between
