@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <unordered_map>
+#include <utility>
 
 namespace rovio_sfm {
 namespace {
@@ -16,6 +18,29 @@ size_t NumRegistered(const SessionSnapshot& session) {
     for (const FrameSnapshot& frame : *block) count += frame.weak ? 0 : 1;
   }
   return count;
+}
+
+using SetNumbers = std::map<std::pair<SessionId, TrackId>, size_t>;
+
+// Which set each of the shared landmarks is in.
+SetNumbers NumberSets(const LevelMap& map) {
+  SetNumbers numbers;
+  if (map.shared_landmarks == nullptr) return numbers;
+  for (size_t set = 0; set < map.shared_landmarks->size(); ++set) {
+    for (const LandmarkRef& ref : (*map.shared_landmarks)[set]) {
+      numbers[{ref.session, ref.landmark}] = set;
+    }
+  }
+  return numbers;
+}
+
+void AddViews(const LandmarkSnapshot& more, LandmarkSnapshot* landmark) {
+  const double error_px =
+      landmark->mean_error_px * landmark->num_views + more.mean_error_px * more.num_views;
+  landmark->num_views += more.num_views;
+  landmark->mean_error_px = error_px / landmark->num_views;
+  landmark->squared_error_normalized += more.squared_error_normalized;
+  landmark->max_parallax_rad = std::max(landmark->max_parallax_rad, more.max_parallax_rad);
 }
 
 }  // namespace
@@ -32,6 +57,8 @@ std::optional<LevelMap> FindLevelMap(const MapSnapshot& snapshot, MapId id) {
   if (!level_from_session) return std::nullopt;
   map.scale = root.scale;
   map.level_from_map = *level_from_session * Inverse(root.map_from_session);
+  const auto shared = snapshot.shared_landmarks.find(id);
+  if (shared != snapshot.shared_landmarks.end()) map.shared_landmarks = shared->second;
   return map;
 }
 
@@ -70,17 +97,39 @@ bool IsCounted(const LandmarkSnapshot& landmark) {
          landmark.mean_error_px <= kMaxErrorPx;
 }
 
-std::vector<CloudPoint> LevelCloud(const LevelMap& map) {
-  std::vector<CloudPoint> cloud;
+std::vector<MapLandmark> UniteLandmarks(const LevelMap& map) {
+  const SetNumbers set_of = NumberSets(map);
+  std::unordered_map<size_t, size_t> first_of_set;  // its place in the list
+  std::vector<MapLandmark> landmarks;
   for (const SessionSnapshot& session : map.sessions) {
-    const Sim3 level_from_session = map.level_from_map * session.map_from_session;
     for (const auto& block : session.landmarks) {
       for (const LandmarkSnapshot& landmark : *block) {
-        if (!IsCounted(landmark)) continue;
-        cloud.push_back({level_from_session * landmark.position, landmark.color, session.id.value,
-                         landmark.num_views, static_cast<float>(landmark.mean_error_px)});
+        const auto set = set_of.find({session.id, landmark.id});
+        if (set != set_of.end()) {
+          const auto [first, is_new] = first_of_set.emplace(set->second, landmarks.size());
+          if (!is_new) {
+            AddViews(landmark, &landmarks[first->second].landmark);
+            continue;
+          }
+        }
+        landmarks.push_back({&session, landmark});
       }
     }
+  }
+  return landmarks;
+}
+
+std::vector<CloudPoint> LevelCloud(const LevelMap& map) {
+  std::map<SessionId, Sim3> level_from_sessions;
+  for (const SessionSnapshot& session : map.sessions) {
+    level_from_sessions[session.id] = map.level_from_map * session.map_from_session;
+  }
+  std::vector<CloudPoint> cloud;
+  for (const auto& [session, landmark] : UniteLandmarks(map)) {
+    if (!IsCounted(landmark)) continue;
+    cloud.push_back({level_from_sessions.at(session->id) * landmark.position, landmark.color,
+                     session->id.value, landmark.num_views,
+                     static_cast<float>(landmark.mean_error_px)});
   }
   return cloud;
 }

@@ -228,4 +228,21 @@ void MapBundle::Apply() const {
   }
 }
 
+LandmarkSets MapBundle::SharedLandmarks() const {
+  std::map<uint32_t, std::vector<LandmarkRef>> sets;
+  for (uint32_t landmark = 0; landmark < parent_.size(); ++landmark) {
+    if (RootOf(landmark) != landmark) sets[RootOf(landmark)];
+  }
+  for (const Part& part : parts_) {
+    for (uint32_t i = 0; i < part.bundle.tracks.size(); ++i) {
+      const auto set = sets.find(RootOf(part.first_landmark + i));
+      if (set == sets.end()) continue;
+      set->second.push_back({part.placed.session->id(), part.bundle.tracks[i]});
+    }
+  }
+  LandmarkSets shared;
+  for (auto& [root, set] : sets) shared.push_back(std::move(set));
+  return shared;
+}
+
 }  // namespace rovio_sfm

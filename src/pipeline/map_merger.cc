@@ -223,10 +223,12 @@ void MapMerger::Adjust(MapId map, bool is_final, const SessionTable& sessions,
   std::vector<FeatureLink> links = ledger_.LinksOf(map);
   if (links.empty()) return;
   const std::vector<PlacedSession> placed = ledger_.SessionsOf(map, sessions);
-  const MapAdjustmentReport adjusted = AdjustMap(placed, options_, is_final, &links);
+  MapAdjustmentReport adjusted = AdjustMap(placed, options_, is_final, &links);
   report->error_before_px = adjusted.before.median_error_px;
   report->error_after_px = adjusted.after.median_error_px;
   ledger_.KeepLinks(map, links);
+  if (adjusted.usable)
+    shared_[map] = std::make_shared<const LandmarkSets>(std::move(adjusted.shared));
   for (const PlacedSession& session : placed) changed_.insert(session.session->id());
 }
 

@@ -37,13 +37,9 @@ MapStatistics ComputeMapStatistics(const LevelMap& map) {
     if (image.kind == FrameKind::kKeyframe) ++statistics.registered_keyframes;
   }
   ErrorSums sums;
-  for (const SessionSnapshot& session : map.sessions) {
-    for (const auto& block : session.landmarks) {
-      for (const LandmarkSnapshot& landmark : *block) {
-        Count(landmark, &statistics, &sums);
-        AddSquaredError(landmark, session.camera.MeanFocal(), &sums);
-      }
-    }
+  for (const auto& [session, landmark] : UniteLandmarks(map)) {
+    Count(landmark, &statistics, &sums);
+    AddSquaredError(landmark, session->camera.MeanFocal(), &sums);
   }
   if (statistics.projections > 0) {
     statistics.mean_error_px = sums.error_px / static_cast<double>(statistics.projections);

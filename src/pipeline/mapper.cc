@@ -136,6 +136,7 @@ std::shared_ptr<const MapSnapshot> Mapper::Snapshot() const {
     snapshot->sessions.back().gauge_revision = place.revision;
   }
   ShareScales(&snapshot->sessions);
+  snapshot->shared_landmarks = merger_.shared_landmarks();
   return snapshot;
 }
 

@@ -57,6 +57,37 @@ TEST(IsCounted, AppliesAllThreeGates) {
   EXPECT_FALSE(IsCounted(landmark));
 }
 
+// Two sessions of one map, four landmarks each, of which some are one point.
+MapSnapshot SharingMap() {
+  const LandmarkBlock landmarks = {SmallLandmark(1, 2, 0.001), SmallLandmark(2, 3, 0.002),
+                                   SmallLandmark(3, 4, 0.001), SmallLandmark(4, 2, 0.001)};
+  MapSnapshot snapshot;
+  snapshot.sessions = {SmallSession(1, 5, landmarks), SmallSession(2, 5, landmarks)};
+  snapshot.sessions[1].map = {1};
+  snapshot.shared_landmarks[{1}] = std::make_shared<const LandmarkSets>(
+      LandmarkSets{{{{1}, 2}, {{1}, 4}, {{2}, 3}}, {{{1}, 1}, {{2}, 77}}, {{{9}, 1}, {{2}, 1}}});
+  return snapshot;
+}
+
+TEST(UniteLandmarks, GivesAPointTheViewsOfAllItsLandmarks) {
+  const LevelMap map = *FindLargestMap(SharingMap());
+  const std::vector<MapLandmark> landmarks = UniteLandmarks(map);
+  ASSERT_EQ(landmarks.size(), 6u);  // of eight: the other sets' partners are not there
+  const LandmarkSnapshot& united = landmarks[1].landmark;
+  EXPECT_EQ(landmarks[1].session, &map.sessions[0]);
+  EXPECT_EQ(united.id, 2u);
+  EXPECT_EQ(united.num_views, 9u);
+  EXPECT_NEAR(united.mean_error_px, (3 * 1.0 + 2 * 0.5 + 4 * 0.5) / 9.0, 1e-12);
+  EXPECT_NEAR(united.squared_error_normalized, 3 * 4e-6 + 6 * 1e-6, 1e-15);
+  EXPECT_EQ(LevelCloud(map).size(), 6u);
+}
+
+TEST(UniteLandmarks, GivesAllWhereNothingIsShared) {
+  MapSnapshot snapshot = SharingMap();
+  snapshot.shared_landmarks.clear();
+  EXPECT_EQ(UniteLandmarks(*FindLargestMap(snapshot)).size(), 8u);
+}
+
 TEST(LevelCloud, LiesInFrontOfTheCameras) {
   const auto cloud = LevelCloud(*FindLargestMap(TwoMaps()));
   ASSERT_EQ(cloud.size(), 1u);

@@ -27,7 +27,15 @@ TEST(MapBundle, MakesLinkedLandmarksOnePoint) {
   const TrackId track_b = b.keyframe(5).tracks[link.b.feature];
   const Eigen::Vector3d before = landmark_b->position;
   b.SetPosition(track_b, before + Eigen::Vector3d(0.002, 0.0, 0.0));
-  MapBundle({{&a, {}}, {&b, {}}}, {link}, 4.0).Apply();
+  const MapBundle bundle({{&a, {}}, {&b, {}}}, {link}, 4.0);
+  bundle.Apply();
+  const LandmarkSets shared = bundle.SharedLandmarks();
+  ASSERT_EQ(shared.size(), 1u);
+  ASSERT_EQ(shared[0].size(), 2u);
+  EXPECT_EQ(shared[0][0].session, a.id());
+  EXPECT_EQ(shared[0][0].landmark, a.keyframe(5).tracks[link.a.feature]);
+  EXPECT_EQ(shared[0][1].session, b.id());
+  EXPECT_EQ(shared[0][1].landmark, track_b);
   const Eigen::Vector3d united = ObservedLandmark(b, link.b)->position;
   EXPECT_LT((united - ObservedLandmark(a, link.a)->position).norm(), 1e-12);
   EXPECT_LT((united - before).norm(), 0.002);
@@ -40,7 +48,9 @@ TEST(MapBundle, DoesNotUniteLandmarksThatLieApart) {
   const TrackId track_b = b.keyframe(5).tracks[link.b.feature];
   const Eigen::Vector3d far = b.landmarks().at(track_b).position + Eigen::Vector3d(0.5, 0.5, 0.0);
   b.SetPosition(track_b, far);
-  MapBundle({{&a, {}}, {&b, {}}}, {link}, 4.0).Apply();
+  const MapBundle bundle({{&a, {}}, {&b, {}}}, {link}, 4.0);
+  bundle.Apply();
+  EXPECT_TRUE(bundle.SharedLandmarks().empty());
   EXPECT_LT((b.landmarks().at(track_b).position - far).norm(), 1e-12);
 }
 

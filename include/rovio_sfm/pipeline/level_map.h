@@ -15,7 +15,8 @@ struct LevelMap {
   MapId id;
   std::optional<MapScale> scale;  // none: lengths are map units
   Sim3 level_from_map;
-  std::vector<SessionSnapshot> sessions;  // of this map, by id
+  std::vector<SessionSnapshot> sessions;                 // of this map, by id
+  std::shared_ptr<const LandmarkSets> shared_landmarks;  // null: none
 };
 
 // A registered image; weak poses (§3.7.1) are not among them.
@@ -35,6 +36,16 @@ std::vector<PosedImage> PosedImages(const LevelMap& map);
 
 // A landmark counts with two or more views, 1.5 degrees of parallax and at most 4 px of mean error.
 bool IsCounted(const LandmarkSnapshot& landmark);
+
+// A landmark of the map, and the session in whose gauge it stands.
+struct MapLandmark {
+  const SessionSnapshot* session = nullptr;  // of the map that was asked
+  LandmarkSnapshot landmark;
+};
+
+// All landmarks, by session and id. Those that links join are one: it stands where the first of
+// them does, and has the views of all.
+std::vector<MapLandmark> UniteLandmarks(const LevelMap& map);
 
 // The landmarks that count, in the level frame, by session and id.
 std::vector<CloudPoint> LevelCloud(const LevelMap& map);

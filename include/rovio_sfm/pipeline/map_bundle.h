@@ -9,6 +9,7 @@
 
 #include "rovio_sfm/geometry/sim3.h"
 #include "rovio_sfm/scene/feature_link.h"
+#include "rovio_sfm/scene/map_snapshot.h"
 #include "rovio_sfm/scene/session.h"
 #include "rovio_sfm/sfm/session_bundle.h"
 
@@ -45,6 +46,8 @@ class MapBundle {
   BundleReport Solve(const BundleOptions& options, size_t max_frames);
   // Writes the solution back into the sessions; their places in the map stay.
   void Apply() const;
+  // The landmarks that are one point, by their smallest one; sessions in their order.
+  LandmarkSets SharedLandmarks() const;
 
  private:
   // The parts of the problem that stand for one session.

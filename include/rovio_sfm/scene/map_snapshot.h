@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -69,10 +70,20 @@ struct SessionSnapshot {
   std::vector<std::shared_ptr<const LandmarkBlock>> landmarks;  // by increasing id
 };
 
+struct LandmarkRef {
+  SessionId session;
+  TrackId landmark = 0;
+};
+
+// Landmarks that links join: the two and more of a set are one point.
+using LandmarkSets = std::vector<std::vector<LandmarkRef>>;
+
 // An immutable picture of all maps at one moment.
 struct MapSnapshot {
   uint64_t version = 0;                   // raised with every snapshot
   std::vector<SessionSnapshot> sessions;  // by id
+  // As the map was last adjusted; what is gone since, or in another map, does not count.
+  std::map<MapId, std::shared_ptr<const LandmarkSets>> shared_landmarks;
 };
 
 // The frame `<session>/map` (§3 of the design) from the session's own gauge: base_link at the first
