@@ -42,6 +42,7 @@ class PlaceRecognitionRestartTest(unittest.TestCase):
         self.assertEqual(rospy.ServiceProxy("/reset", Reset)(True).status.code, Status.OK)
         self.maps = Collector("/map_status", MapStatus)
         self.places = Collector("/place_status", PlaceStatus)
+        self.wait_for(self.maps, lambda s: not s.sessions)  # not what was before the reset
         self.frames = [rospy.Publisher(topic, FrameEventMsg, queue_size=100) for topic in sorted(TOPICS)]
         self.wait_until_heard()
         type(self).num_worlds += 1
