@@ -29,8 +29,8 @@ constexpr std::array<Color, 6> kSessionColors = {{{0.12f, 0.47f, 0.71f},
 
 constexpr Color kAcceptedColor = {0.2f, 1.0f, 1.0f};
 constexpr Color kProvisionalColor = {1.0f, 0.2f, 1.0f};
-// Width of lines, of a frustum's depth; thinner ones vanish from afar.
-constexpr double kLineShare = 0.1;
+// Width of lines, of a frustum's depth: thin, as many stand close together.
+constexpr double kLineShare = 0.04;
 
 std::vector<Rigid3> LevelFromKeyframes(const SessionSnapshot& session) {
   std::vector<Rigid3> poses;
