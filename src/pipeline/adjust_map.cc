@@ -127,7 +127,7 @@ MapAdjustmentReport AdjustMap(const std::vector<PlacedSession>& sessions,
     }
     bundle.Apply();
     report.usable = true;
-    report.shared = bundle.SharedLandmarks();
+    report.shared = bundle.FindShared();
     if (is_last) break;
     report.num_dropped_links += DropBadLinks(sessions, max_error_sigmas, links);
     if (PruneSessions(sessions, options) == 0 && is_final) round = num_rounds - 1;

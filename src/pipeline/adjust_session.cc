@@ -39,10 +39,11 @@ uint32_t CompleteAll(const MapperOptions& options, Session* session) {
   return num_changed;
 }
 
-bool Adjust(BundleOptions bundle_options, const MapperOptions& options, const Session& session,
-            SessionBundle* bundle) {
-  bundle_options.planar_motion = PlanarMotionOf(options.adjust, session.scale());
-  const auto max_frames = static_cast<size_t>(options.adjust.max_global_frames);
+// Of a whole session. False: nothing was changed.
+bool Adjust(BundleOptions bundle_options, const AdjustOptions& options,
+            const std::optional<MapScale>& scale, SessionBundle* bundle) {
+  bundle_options.planar_motion = PlanarMotionOf(options, scale);
+  const auto max_frames = static_cast<size_t>(options.max_global_frames);
   return AdjustByWindow(&bundle->problem, bundle_options, max_frames).usable;
 }
 
@@ -67,12 +68,13 @@ PruneReport AdjustLocally(uint32_t frame, const MapperOptions& options, Session*
 }
 
 PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
+  const int max_iterations = options.adjust.global_max_iterations;
   const double loss_sigmas = options.adjust.loss_px / options.pixel_sigma_px;
   PruneReport total;
   for (int round = 0; round < kFinalRounds; ++round) {
     uint32_t num_changed = CompleteAll(options, session);
     SessionBundle bundle = MakeGlobalBundle(*session);
-    if (!Adjust({options.adjust.global_max_iterations, loss_sigmas}, options, *session, &bundle)) {
+    if (!Adjust({max_iterations, loss_sigmas}, options.adjust, session->scale(), &bundle)) {
       return total;
     }
     ApplyBundle(bundle, true, session);
@@ -83,7 +85,7 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
     if (num_changed < kSettledShare * static_cast<double>(NumObservations(*session))) break;
   }
   SessionBundle bundle = MakeGlobalBundle(*session);
-  if (Adjust({options.adjust.global_max_iterations, 0.0}, options, *session, &bundle)) {
+  if (Adjust({max_iterations, 0.0}, options.adjust, session->scale(), &bundle)) {
     ApplyBundle(bundle, true, session);
   }
   return total;
@@ -104,13 +106,11 @@ void GlobalAdjustment::MaybeStart(const Session& session) {
   if (running_ || num_frames < kMinGlobalFrames || !grown) return;
   num_frames_at_last_ = num_frames;
   num_landmarks_at_last_ = num_landmarks;
-  BundleOptions bundle_options{options_.local_max_iterations, loss_sigmas_};
-  bundle_options.planar_motion = PlanarMotionOf(options_, session.scale());
+  const BundleOptions bundle_options{options_.local_max_iterations, loss_sigmas_};
   running_.emplace();
   running_->result = executor_->Submit([bundle = MakeGlobalBundle(session), bundle_options,
-                                        max_frames = options_.max_global_frames]() mutable {
-    const auto size = static_cast<size_t>(max_frames);
-    if (!AdjustByWindow(&bundle.problem, bundle_options, size).usable) bundle = {};
+                                        options = options_, scale = session.scale()]() mutable {
+    if (!Adjust(bundle_options, options, scale, &bundle)) bundle = {};
     return std::move(bundle);
   });
 }

@@ -80,10 +80,11 @@ OverlapAlignment AlignOverlap(const Session& a, const Session& b, uint32_t query
   const auto resection = ResectQuery(matches, options);
   if (!resection) return Conclude(report, matches);
   const Rigid3& query_from_b = b.keyframe(query).cam_from_session;
-  const AlignReport resected = AlignByResection(matches, resection->cam_from_session, query_from_b,
-                                                PriorOf(a, b), options.merge.align);
-  OverlapAlignment result = Conclude(resected, matches);
-  result.needs_scale = !result.alignment && !PriorOf(a, b);
+  const auto prior = PriorOf(a, b);
+  OverlapAlignment result = Conclude(AlignByResection(matches, resection->cam_from_session,
+                                                      query_from_b, prior, options.merge.align),
+                                     matches);
+  result.needs_scale = !result.alignment && !prior;
   return result;
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <unordered_map>
-#include <utility>
 
 namespace rovio_sfm {
 namespace {
@@ -18,20 +17,6 @@ size_t NumRegistered(const SessionSnapshot& session) {
     for (const FrameSnapshot& frame : *block) count += frame.weak ? 0 : 1;
   }
   return count;
-}
-
-using SetNumbers = std::map<std::pair<SessionId, TrackId>, size_t>;
-
-// Which set each of the shared landmarks is in.
-SetNumbers NumberSets(const LevelMap& map) {
-  SetNumbers numbers;
-  if (map.shared_landmarks == nullptr) return numbers;
-  for (size_t set = 0; set < map.shared_landmarks->size(); ++set) {
-    for (const LandmarkRef& ref : (*map.shared_landmarks)[set]) {
-      numbers[{ref.session, ref.landmark}] = set;
-    }
-  }
-  return numbers;
 }
 
 void AddViews(const LandmarkSnapshot& more, LandmarkSnapshot* landmark) {
@@ -98,21 +83,19 @@ bool IsCounted(const LandmarkSnapshot& landmark) {
 }
 
 std::vector<MapLandmark> UniteLandmarks(const LevelMap& map) {
-  const SetNumbers set_of = NumberSets(map);
-  std::unordered_map<size_t, size_t> first_of_set;  // its place in the list
+  const SharedLandmarks nothing;
+  const SharedLandmarks& shared = map.shared_landmarks ? *map.shared_landmarks : nothing;
+  std::unordered_map<uint32_t, size_t> place_of;  // in the list, of the points that are shared
   std::vector<MapLandmark> landmarks;
   for (const SessionSnapshot& session : map.sessions) {
     for (const auto& block : session.landmarks) {
       for (const LandmarkSnapshot& landmark : *block) {
-        const auto set = set_of.find({session.id, landmark.id});
-        if (set != set_of.end()) {
-          const auto [first, is_new] = first_of_set.emplace(set->second, landmarks.size());
-          if (!is_new) {
-            AddViews(landmark, &landmarks[first->second].landmark);
-            continue;
-          }
+        const auto point = shared.find({session.id, landmark.id});
+        if (point == shared.end() || place_of.emplace(point->second, landmarks.size()).second) {
+          landmarks.push_back({&session, landmark});
+        } else {
+          AddViews(landmark, &landmarks[place_of.at(point->second)].landmark);
         }
-        landmarks.push_back({&session, landmark});
       }
     }
   }

@@ -228,20 +228,18 @@ void MapBundle::Apply() const {
   }
 }
 
-LandmarkSets MapBundle::SharedLandmarks() const {
-  std::map<uint32_t, std::vector<LandmarkRef>> sets;
+SharedLandmarks MapBundle::FindShared() const {
+  std::set<uint32_t> roots;  // of two landmarks and more
   for (uint32_t landmark = 0; landmark < parent_.size(); ++landmark) {
-    if (RootOf(landmark) != landmark) sets[RootOf(landmark)];
+    if (RootOf(landmark) != landmark) roots.insert(RootOf(landmark));
   }
+  SharedLandmarks shared;
   for (const Part& part : parts_) {
     for (uint32_t i = 0; i < part.bundle.tracks.size(); ++i) {
-      const auto set = sets.find(RootOf(part.first_landmark + i));
-      if (set == sets.end()) continue;
-      set->second.push_back({part.placed.session->id(), part.bundle.tracks[i]});
+      const uint32_t root = RootOf(part.first_landmark + i);
+      if (roots.count(root) != 0) shared[{part.placed.session->id(), part.bundle.tracks[i]}] = root;
     }
   }
-  LandmarkSets shared;
-  for (auto& [root, set] : sets) shared.push_back(std::move(set));
   return shared;
 }
 

@@ -227,8 +227,9 @@ void MapMerger::Adjust(MapId map, bool is_final, const SessionTable& sessions,
   report->error_before_px = adjusted.before.median_error_px;
   report->error_after_px = adjusted.after.median_error_px;
   ledger_.KeepLinks(map, links);
-  if (adjusted.usable)
-    shared_[map] = std::make_shared<const LandmarkSets>(std::move(adjusted.shared));
+  if (adjusted.usable) {
+    shared_[map] = std::make_shared<const SharedLandmarks>(std::move(adjusted.shared));
+  }
   for (const PlacedSession& session : placed) changed_.insert(session.session->id());
 }
 

@@ -184,7 +184,7 @@ OverlapTrial TryOverlap(const Session& a, const Session& b, const FrameId& query
   report.verdict = MergeVerdict::kRefused;
   const OverlapAlignment aligned = AlignOverlap(a, b, query.index, pairs, options);
   FillReport(aligned, &report);
-  trial.needs_scale = !aligned.alignment && aligned.needs_scale;
+  trial.needs_scale = aligned.needs_scale;
   if (!aligned.alignment) return trial;
   trial.links = LinksOf(a, b, aligned.inliers);
   Judge(a, b, {}, options, store, &trial);

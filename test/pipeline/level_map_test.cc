@@ -64,15 +64,21 @@ MapSnapshot SharingMap() {
   MapSnapshot snapshot;
   snapshot.sessions = {SmallSession(1, 5, landmarks), SmallSession(2, 5, landmarks)};
   snapshot.sessions[1].map = {1};
-  snapshot.shared_landmarks[{1}] = std::make_shared<const LandmarkSets>(
-      LandmarkSets{{{{1}, 2}, {{1}, 4}, {{2}, 3}}, {{{1}, 1}, {{2}, 77}}, {{{9}, 1}, {{2}, 1}}});
+  snapshot.shared_landmarks[{1}] =
+      std::make_shared<const SharedLandmarks>(SharedLandmarks{{{{1}, 2}, 5},
+                                                              {{{1}, 4}, 5},
+                                                              {{{2}, 3}, 5},
+                                                              {{{1}, 1}, 6},
+                                                              {{{2}, 77}, 6},
+                                                              {{{9}, 1}, 7},
+                                                              {{{2}, 1}, 7}});
   return snapshot;
 }
 
 TEST(UniteLandmarks, GivesAPointTheViewsOfAllItsLandmarks) {
   const LevelMap map = *FindLargestMap(SharingMap());
   const std::vector<MapLandmark> landmarks = UniteLandmarks(map);
-  ASSERT_EQ(landmarks.size(), 6u);  // of eight: the other sets' partners are not there
+  ASSERT_EQ(landmarks.size(), 6u);  // of eight: the other points' partners are not there
   const LandmarkSnapshot& united = landmarks[1].landmark;
   EXPECT_EQ(landmarks[1].session, &map.sessions[0]);
   EXPECT_EQ(united.id, 2u);

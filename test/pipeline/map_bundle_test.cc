@@ -29,13 +29,12 @@ TEST(MapBundle, MakesLinkedLandmarksOnePoint) {
   b.SetPosition(track_b, before + Eigen::Vector3d(0.002, 0.0, 0.0));
   const MapBundle bundle({{&a, {}}, {&b, {}}}, {link}, 4.0);
   bundle.Apply();
-  const LandmarkSets shared = bundle.SharedLandmarks();
-  ASSERT_EQ(shared.size(), 1u);
-  ASSERT_EQ(shared[0].size(), 2u);
-  EXPECT_EQ(shared[0][0].session, a.id());
-  EXPECT_EQ(shared[0][0].landmark, a.keyframe(5).tracks[link.a.feature]);
-  EXPECT_EQ(shared[0][1].session, b.id());
-  EXPECT_EQ(shared[0][1].landmark, track_b);
+  const SharedLandmarks shared = bundle.FindShared();
+  ASSERT_EQ(shared.size(), 2u);
+  const auto in_a = shared.find({a.id(), a.keyframe(5).tracks[link.a.feature]});
+  const auto in_b = shared.find({b.id(), track_b});
+  ASSERT_TRUE(in_a != shared.end() && in_b != shared.end());
+  EXPECT_EQ(in_a->second, in_b->second);
   const Eigen::Vector3d united = ObservedLandmark(b, link.b)->position;
   EXPECT_LT((united - ObservedLandmark(a, link.a)->position).norm(), 1e-12);
   EXPECT_LT((united - before).norm(), 0.002);
@@ -50,7 +49,7 @@ TEST(MapBundle, DoesNotUniteLandmarksThatLieApart) {
   b.SetPosition(track_b, far);
   const MapBundle bundle({{&a, {}}, {&b, {}}}, {link}, 4.0);
   bundle.Apply();
-  EXPECT_TRUE(bundle.SharedLandmarks().empty());
+  EXPECT_TRUE(bundle.FindShared().empty());
   EXPECT_LT((b.landmarks().at(track_b).position - far).norm(), 1e-12);
 }
 

@@ -22,7 +22,7 @@ struct MapAdjustmentReport {
   bool usable = false;  // false: no pose was changed
   LinkStatistics before, after;
   uint32_t num_dropped_links = 0;
-  LandmarkSets shared;  // what the links that hold have made one point
+  SharedLandmarks shared;  // what the links that hold have made one point
 };
 
 // Adjusts all frames and landmarks of all sessions of a map as one problem (§4.3.3), prunes

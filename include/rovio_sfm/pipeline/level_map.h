@@ -15,8 +15,8 @@ struct LevelMap {
   MapId id;
   std::optional<MapScale> scale;  // none: lengths are map units
   Sim3 level_from_map;
-  std::vector<SessionSnapshot> sessions;                 // of this map, by id
-  std::shared_ptr<const LandmarkSets> shared_landmarks;  // null: none
+  std::vector<SessionSnapshot> sessions;                    // of this map, by id
+  std::shared_ptr<const SharedLandmarks> shared_landmarks;  // null: none
 };
 
 // A registered image; weak poses (§3.7.1) are not among them.

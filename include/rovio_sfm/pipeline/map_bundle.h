@@ -46,8 +46,8 @@ class MapBundle {
   BundleReport Solve(const BundleOptions& options, size_t max_frames);
   // Writes the solution back into the sessions; their places in the map stay.
   void Apply() const;
-  // The landmarks that are one point, by their smallest one; sessions in their order.
-  LandmarkSets SharedLandmarks() const;
+  // The landmarks that are one point with others.
+  SharedLandmarks FindShared() const;
 
  private:
   // The parts of the problem that stand for one session.

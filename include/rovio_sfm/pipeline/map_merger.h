@@ -50,7 +50,7 @@ class MapMerger {
 
   MapPlace PlaceOf(SessionId id) const { return ledger_.PlaceOf(id); }
   // The landmarks of each map that are one point, as it was last adjusted.
-  const std::map<MapId, std::shared_ptr<const LandmarkSets>>& shared_landmarks() const {
+  const std::map<MapId, std::shared_ptr<const SharedLandmarks>>& shared_landmarks() const {
     return shared_;
   }
   // All overlaps judged so far, by id, and those that waited in vain.
@@ -92,7 +92,7 @@ class MapMerger {
   std::deque<Waiting> waiting_;
   uint64_t num_repeated_ = 0;
   MergeLedger ledger_;
-  std::map<MapId, std::shared_ptr<const LandmarkSets>> shared_;
+  std::map<MapId, std::shared_ptr<const SharedLandmarks>> shared_;
   std::set<std::pair<SessionId, SessionId>> separated_;  // by request, smaller id first
   std::set<SessionId> changed_;
 };

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rovio_sfm/geometry/sim3.h"
@@ -70,20 +71,15 @@ struct SessionSnapshot {
   std::vector<std::shared_ptr<const LandmarkBlock>> landmarks;  // by increasing id
 };
 
-struct LandmarkRef {
-  SessionId session;
-  TrackId landmark = 0;
-};
-
-// Landmarks that links join: the two and more of a set are one point.
-using LandmarkSets = std::vector<std::vector<LandmarkRef>>;
+// The landmarks that links join, each with a number: those with the same one are one point.
+using SharedLandmarks = std::map<std::pair<SessionId, TrackId>, uint32_t>;
 
 // An immutable picture of all maps at one moment.
 struct MapSnapshot {
   uint64_t version = 0;                   // raised with every snapshot
   std::vector<SessionSnapshot> sessions;  // by id
   // As the map was last adjusted; what is gone since, or in another map, does not count.
-  std::map<MapId, std::shared_ptr<const LandmarkSets>> shared_landmarks;
+  std::map<MapId, std::shared_ptr<const SharedLandmarks>> shared_landmarks;
 };
 
 // The frame `<session>/map` (§3 of the design) from the session's own gauge: base_link at the first
