@@ -62,7 +62,6 @@ MergeSessionsResponse AnswerMerge(const MergeSessionsRequest& request, MappingEn
   for (const uint32_t number : {request.session_a, request.session_b}) {
     if (!IsMergeable(*picture.snapshot, number, &response.status)) return response;
   }
-  response.status = Ok("");
   if (request.by_hand) {
     MergeByHand(request, engine, &response);
   } else {

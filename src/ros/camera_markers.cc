@@ -146,14 +146,13 @@ std::vector<Marker> OverlapLines(const MapSnapshot& snapshot,
     const SessionSnapshot* other = FindSession(snapshot, report.other_session);
     const SessionSnapshot* query = FindSession(snapshot, report.query_session);
     if (report.verdict != verdict || other == nullptr || query == nullptr) continue;
-    const auto found = markers.find(other->id);
-    Marker& marker = found != markers.end()
-                         ? found->second
-                         : markers[other->id] =
-                               Lines(*other, is_accepted ? "overlaps" : "provisional_overlaps",
-                                     is_accepted ? kAcceptedColor : kProvisionalColor,
-                                     kLineShare * FrustumDepth(LevelFromKeyframes(*other)), stamp);
-    AddOverlap(report, *other, *query, &marker);
+    const auto [found, is_new] = markers.try_emplace(other->id);
+    if (is_new) {
+      const double width = kLineShare * FrustumDepth(LevelFromKeyframes(*other));
+      found->second = Lines(*other, is_accepted ? "overlaps" : "provisional_overlaps",
+                            is_accepted ? kAcceptedColor : kProvisionalColor, width, stamp);
+    }
+    AddOverlap(report, *other, *query, &found->second);
   }
   std::vector<Marker> lines;
   for (auto& [id, marker] : markers) lines.push_back(std::move(marker));

@@ -13,6 +13,11 @@
 #include "rovio_sfm/ros/topics.h"
 
 namespace rovio_sfm {
+namespace {
+
+std::string TopicOfCloudApart(MapId id) { return topics::kCloudPrefix + std::to_string(id.value); }
+
+}  // namespace
 
 MapPublisher::MapPublisher(ros::NodeHandle node, double cloud_period_s)
     : node_(node), cloud_period_s_(cloud_period_s) {
@@ -100,15 +105,14 @@ void MapPublisher::PublishClouds(const MapSnapshot& snapshot, const ros::Time& n
   }
   const std::set<MapId> last = std::exchange(apart_, apart);
   for (const MapId id : apart) {
-    PublishCloud(snapshot, id, topics::kCloudPrefix + std::to_string(id.value), now);
+    PublishCloud(snapshot, id, TopicOfCloudApart(id), now);
   }
   for (const MapId id : last) {
     if (apart.count(id) > 0) continue;
     sensor_msgs::PointCloud2 nothing;
     nothing.header.frame_id = SessionFrame(SessionId{id.value});
     nothing.header.stamp = now;
-    const std::string topic = topics::kCloudPrefix + std::to_string(id.value);
-    OutputOf<sensor_msgs::PointCloud2>(topic).publisher.publish(nothing);
+    OutputOf<sensor_msgs::PointCloud2>(TopicOfCloudApart(id)).publisher.publish(nothing);
   }
 }
 
