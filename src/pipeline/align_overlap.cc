@@ -22,7 +22,7 @@ std::vector<CrossMatch> MatchesOf(const Session& a, const Session& b, uint32_t q
 
 // The query camera among the landmarks of session a.
 std::optional<Registration> ResectQuery(const std::vector<CrossMatch>& matches,
-                                        const MapperOptions& options) {
+                                        const MapOptions& options) {
   std::map<uint32_t, PoseObservation> seen;  // by feature: each once
   for (const CrossMatch& match : matches) {
     if (!match.a.landmark) continue;
@@ -67,12 +67,12 @@ OverlapAlignment Conclude(const AlignReport& report, const std::vector<CrossMatc
   return result;
 }
 
-Rng StreamOf(const MapperOptions& options, uint32_t query) { return Rng(options.seed).Fork(query); }
+Rng StreamOf(const MapOptions& options, uint32_t query) { return Rng(options.seed).Fork(query); }
 
 }  // namespace
 
 OverlapAlignment AlignOverlap(const Session& a, const Session& b, uint32_t query,
-                              const std::vector<OverlapPair>& pairs, const MapperOptions& options) {
+                              const std::vector<OverlapPair>& pairs, const MapOptions& options) {
   const std::vector<CrossMatch> matches = MatchesOf(a, b, query, pairs);
   Rng rng = StreamOf(options, query);
   const AlignReport report = AlignByPoints(matches, options.merge.align, rng);
@@ -90,7 +90,7 @@ OverlapAlignment AlignOverlap(const Session& a, const Session& b, uint32_t query
 
 OverlapAlignment AlignLinks(const Session& a, const Session& b,
                             const std::vector<FeatureLink>& links, const Sim3& b_from_a,
-                            const MapperOptions& options) {
+                            const MapOptions& options) {
   std::vector<CrossMatch> matches;
   for (const FeatureLink& link : links) {
     const std::vector<CrossMatch> found =

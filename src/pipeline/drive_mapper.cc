@@ -6,7 +6,6 @@
 
 #include "rovio_sfm/pipeline/link_tracks.h"
 #include "rovio_sfm/pipeline/make_keyframe.h"
-#include "rovio_sfm/pipeline/measure_odometry_delay.h"
 #include "rovio_sfm/pipeline/register_frame.h"
 #include "rovio_sfm/pipeline/search_landmarks.h"
 #include "rovio_sfm/pipeline/seed_session.h"
@@ -277,7 +276,7 @@ void DriveMapper::CloseSession(SessionState state) {
     RefineLightFrames(context_.options, &current());
     PoseWaitingLightFrames();
     UpdateScale(context_.options.scale, true, &current());
-    UpdateOdometryDelay(&current());
+    context_.on_session_closed(&current());
   }
   current().set_state(state);
   unposed_.clear();

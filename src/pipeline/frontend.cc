@@ -87,6 +87,7 @@ FrameEvent Frontend::StartEvent(const PreparedImage& image, FrameKind kind) cons
   event.kind = kind;
   event.stamp_ns = image.event.stamp_ns;
   event.image_name = image.event.name;
+  event.camera_frame = image.event.camera_frame;
   event.camera = drive_->camera;
   event.odometry = image.event.odometry;
   event.base_from_camera = image.event.base_from_camera;

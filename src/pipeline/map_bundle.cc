@@ -26,14 +26,6 @@ double LinkErrorSigmas(const PlacedSession& of_landmark, const Eigen::Vector3d& 
   return (x_in_cam.hnormalized() - seen).norm() / frame.sigmas[feature.feature];
 }
 
-const Landmark* ObservedLandmark(const Session& session, const FeatureRef& feature) {
-  const auto frame = session.keyframes().find(feature.frame);
-  if (frame == session.keyframes().end() || !frame->second.observed[feature.feature]) {
-    return nullptr;
-  }
-  return session.FindLandmark(frame->second.tracks[feature.feature]);
-}
-
 MapBundle::MapBundle(const std::vector<PlacedSession>& sessions,
                      const std::vector<FeatureLink>& links, double max_error_sigmas) {
   for (const PlacedSession& placed : sessions) AddPart(placed);

@@ -60,7 +60,7 @@ bool HoldsBoth(const PlaceMatch& match, const FrameId& a, const FrameId& b) {
 
 }  // namespace
 
-MapMerger::MapMerger(const MapperOptions& options, const FrameStore* store)
+MapMerger::MapMerger(const MapOptions& options, const FrameStore* store)
     : options_(options), store_(store) {}
 
 void MapMerger::Add(const PlaceMatch& match, const SessionTable& sessions) {

@@ -1,13 +1,19 @@
 #include "rovio_sfm/pipeline/mapper.h"
 
+#include "rovio_sfm/pipeline/measure_odometry_delay.h"
 #include "rovio_sfm/pipeline/share_scales.h"
 #include "rovio_sfm/util/check.h"
 
 namespace rovio_sfm {
 
-Mapper::Mapper(const MapperOptions& options, FrameStore* store, Executor* executor,
-               StageTimes* times)
-    : context_{options, store, executor, times, [this] { return SessionId{++num_sessions_}; }},
+Mapper::Mapper(const MapOptions& options, FrameStore* store, Executor* executor, StageTimes* times)
+    : options_(options),
+      context_{options,
+               store,
+               executor,
+               times,
+               [this] { return SessionId{++num_sessions_}; },
+               UpdateOdometryDelay},
       merger_(options, store) {
   std::string error;
   ROVIO_CHECK(options.IsValid(&error), error);
@@ -66,7 +72,7 @@ std::vector<MergeReport> Mapper::Unmerge(SessionId id) {
 
 void Mapper::TrySeed(const DriveId& drive) {
   DriveMapper& mapper = *drives_.at(drive);
-  if (!mapper.HoldsFrames(context_.options.merge.seed_after)) return;
+  if (!mapper.HoldsFrames(options_.merge.seed_after)) return;
   const std::vector<PlaceMatch> matches = merger_.WaitingFor(drive);
   if (!matches.empty()) mapper.Seed(matches, Sessions());
 }
@@ -120,7 +126,7 @@ void Mapper::AdjustMaps() {
   merger_.AdjustFinally(sessions);
   for (const SessionId id : merger_.TakeChanged()) {
     DriveOf(id)->OnSessionChanged(id);
-    RefineLightFrames(context_.options, sessions.Find(id));
+    RefineLightFrames(options_, sessions.Find(id));
   }
 }
 

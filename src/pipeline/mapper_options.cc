@@ -72,7 +72,6 @@ bool MapperOptions::IsValid(std::string* error) const {
   checker.Nested(prune);
   checker.Nested(scale);
   checker.Nested(f2);
-  checker.Nested(merge);
   checker.Range("max_weak_frames", max_weak_frames, 0, 100);
   checker.Range("max_weak_tries", max_weak_tries, 1, 1000);
   checker.Range("pixel_sigma_px", pixel_sigma_px, 0.1, 20.0);

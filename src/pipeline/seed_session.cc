@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "rovio_sfm/pipeline/make_keyframe.h"
-#include "rovio_sfm/pipeline/map_bundle.h"
 #include "rovio_sfm/pipeline/register_frame.h"
 #include "rovio_sfm/pipeline/stage_options.h"
 #include "rovio_sfm/sfm/triangulate_tracks.h"

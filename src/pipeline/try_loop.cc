@@ -27,7 +27,7 @@ std::vector<FeatureLink> LinksOf(const Session& a, const Session& b, uint32_t qu
 
 std::optional<OverlapTrial> TryLoop(const PlacedSession& a, const PlacedSession& b,
                                     const FrameId& query, const std::vector<OverlapPair>& pairs,
-                                    const MapperOptions& options) {
+                                    const MapOptions& options) {
   OverlapTrial trial;
   trial.links = LinksOf(*a.session, *b.session, query.index, pairs);
   const LinkStatistics statistics = MeasureLinks({a, b}, trial.links);

@@ -85,7 +85,7 @@ void FillReport(const OverlapAlignment& aligned, MergeReport* report) {
 }
 
 // Aligns anew with everything that a search around the overlap finds, where that works.
-void SearchAndAlign(const Session& a, const Session& b, const MapperOptions& options,
+void SearchAndAlign(const Session& a, const Session& b, const MapOptions& options,
                     const FrameStore& store, OverlapTrial* trial) {
   MergeReport& report = trial->report;
   const auto found = SearchAround(a, b, report.query.index, report.other.index,
@@ -133,7 +133,7 @@ std::vector<EvidenceInlier> InliersOf(const Session& a, const Session& b,
 
 // What the frames beside the query say about the scale, each by itself.
 std::vector<double> NeighbourScales(const Session& a, const Session& b, const OverlapTrial& trial,
-                                    const MapperOptions& options) {
+                                    const MapOptions& options) {
   std::map<uint32_t, std::vector<FeatureLink>> links;  // by frame of b
   for (const FeatureLink& link : trial.links) {
     if (link.b.frame != trial.report.query.index) links[link.b.frame].push_back(link);
@@ -150,7 +150,7 @@ std::vector<double> NeighbourScales(const Session& a, const Session& b, const Ov
 
 // Judges by what the query frame shows of the other session's landmarks.
 void Judge(const Session& a, const Session& b, const std::vector<double>& neighbour_log_scales,
-           const MapperOptions& options, const FrameStore& store, OverlapTrial* trial) {
+           const MapOptions& options, const FrameStore& store, OverlapTrial* trial) {
   MergeReport& report = trial->report;
   const AcrossReport seen =
       SearchAcross(a, RangeOf(a, b, report.other.index), b, report.query.index,
@@ -172,7 +172,7 @@ void Judge(const Session& a, const Session& b, const std::vector<double>& neighb
 }  // namespace
 
 OverlapTrial TryOverlap(const Session& a, const Session& b, const FrameId& query,
-                        const std::vector<OverlapPair>& pairs, const MapperOptions& options,
+                        const std::vector<OverlapPair>& pairs, const MapOptions& options,
                         const FrameStore& store) {
   OverlapTrial trial;
   MergeReport& report = trial.report;

@@ -148,7 +148,7 @@ std::optional<ImageEvent> BagImages::ReadImage(const rosbag::MessageInstance& me
   if (bytes == nullptr || !sensors_.AddCameraInfo(CameraAt(header.stamp), &error)) {
     return std::nullopt;
   }
-  return sensors_.MakeEvent(header, name, bytes);
+  return sensors_.MakeEvent({ToNanoseconds(header.stamp), header.frame_id, name, bytes});
 }
 
 }  // namespace rovio_sfm

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "rovio_sfm/pipeline/level_session.h"
 #include "rovio_sfm/ros/map_frames.h"
 
 namespace rovio_sfm {

@@ -129,10 +129,10 @@ bool ReadRobot(const FrameEventMsg& message, FrameEvent* event, std::string* err
 
 }  // namespace
 
-FrameEventMsg ToMessage(const FrameEvent& event, const std::string& optical_frame) {
+FrameEventMsg ToMessage(const FrameEvent& event) {
   FrameEventMsg message;
   message.header.stamp = ToTime(event.stamp_ns);
-  message.header.frame_id = optical_frame;
+  message.header.frame_id = event.camera_frame;
   message.format_version = FrameEventMsg::FORMAT_VERSION;
   message.id = ToMessage(event.id);
   message.kind = static_cast<uint8_t>(event.kind);
@@ -168,6 +168,7 @@ std::optional<FrameEvent> FromMessage(const FrameEventMsg& message, std::string*
   event.kind = static_cast<FrameKind>(message.kind);
   event.stamp_ns = ToNanoseconds(message.header.stamp);
   event.image_name = message.image_name;
+  event.camera_frame = message.header.frame_id;
   event.camera = *camera;
   event.tracks.assign(message.tracks.begin(), message.tracks.end());
   event.blur = message.blur;

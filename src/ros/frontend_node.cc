@@ -81,12 +81,10 @@ void FrontendNode::OnImage(const boost::shared_ptr<const Message>& message) {
     ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "image refused: " << error);
     return;
   }
-  {
-    MutexLock lock(mutex_);
-    optical_frame_ = message->header.frame_id;
-  }
-  gate_.Add({message->header, std::to_string(message->header.seq), std::move(bytes)},
-            SteadySeconds());
+  const std_msgs::Header& header = message->header;
+  gate_.Add(
+      {ToNanoseconds(header.stamp), header.frame_id, std::to_string(header.seq), std::move(bytes)},
+      SteadySeconds());
   ReleaseImages();
 }
 
@@ -174,12 +172,7 @@ void FrontendNode::Handle(const Job& job) {
 }
 
 void FrontendNode::Publish(const FrameEvent& event, const PreparedImage& image) {
-  std::string optical_frame;
-  {
-    MutexLock lock(mutex_);
-    optical_frame = optical_frame_;
-  }
-  const auto message = boost::make_shared<FrameEventMsg>(ToMessage(event, optical_frame));
+  const auto message = boost::make_shared<FrameEventMsg>(ToMessage(event));
   frames_.publish(message);
   history_.Add(message);
   if (preview_.getNumSubscribers() > 0) {

@@ -13,7 +13,7 @@ bool GateOptions::IsValid(std::string* error) const {
   return checker.Passed();
 }
 
-void ImageGate::Add(WaitingImage image, double now_s) {
+void ImageGate::Add(RawImage image, double now_s) {
   if (!first_s_) first_s_ = now_s;
   if (waiting_.size() == kCapacity) {
     waiting_.pop_front();
@@ -23,22 +23,22 @@ void ImageGate::Add(WaitingImage image, double now_s) {
 }
 
 std::optional<ImageEvent> ImageGate::Take(double now_s) {
-  if (waiting_.empty() || !sensors_->HasCamera() || !IsReady(waiting_.front(), now_s)) {
+  if (waiting_.empty() || !robot_->HasCamera() || !IsReady(waiting_.front(), now_s)) {
     return std::nullopt;
   }
-  WaitingImage image = std::move(waiting_.front().image);
+  RawImage image = std::move(waiting_.front().image);
   waiting_.pop_front();
-  return sensors_->MakeEvent(image.header, image.name, std::move(image.bytes));
+  return robot_->MakeEvent(image);
 }
 
 bool ImageGate::IsReady(const Entry& entry, double now_s) {
   const bool is_starting = now_s - *first_s_ < options_.startup_wait_s;
   if (!is_starting && now_s - entry.arrived_s >= options_.max_wait_s) return true;
-  const bool knows_head = sensors_->KnowsHead(entry.image.header);
+  const bool knows_head = robot_->KnowsHead(entry.image);
   has_seen_head_ = has_seen_head_ || knows_head;
   const bool expects_head = !knows_head && (has_seen_head_ || is_starting);
   const bool expects_odometry =
-      !sensors_->OdometryCovers(entry.image.header) && (sensors_->HasOdometry() || is_starting);
+      !robot_->OdometryCovers(entry.image) && (robot_->HasOdometry() || is_starting);
   return !expects_head && !expects_odometry;
 }
 

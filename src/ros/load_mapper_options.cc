@@ -68,7 +68,7 @@ void ReadF2(OptionReader reader, FilterF2Options* options) {
 
 }  // namespace
 
-void ReadOptions(OptionReader* reader, MapperOptions* options) {
+void ReadOptions(OptionReader* reader, MapOptions* options) {
   OptionReader merge = reader->Group("merge");
   ReadBootstrap(reader->Group("bootstrap"), &options->bootstrap);
   ReadResect(reader->Group("resect"), &options->resect);

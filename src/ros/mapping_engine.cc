@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "rovio_sfm/ros/map_frames.h"
+#include "rovio_sfm/pipeline/level_session.h"
 #include "rovio_sfm/util/check.h"
 
 namespace rovio_sfm {
 
-MappingEngine::MappingEngine(const MapperOptions& options)
+MappingEngine::MappingEngine(const MapOptions& options)
     : options_(options), state_(std::make_unique<State>(options)) {
   Show();
 }

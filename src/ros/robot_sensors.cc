@@ -6,7 +6,6 @@
 
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/util/check.h"
-#include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
 namespace {
@@ -14,15 +13,6 @@ namespace {
 int64_t DurationNs(double seconds) { return static_cast<int64_t>(seconds * 1e9); }
 
 }  // namespace
-
-bool SensorOptions::IsValid(std::string* error) const {
-  OptionChecker checker("sensors", error);
-  checker.Range("image_latency_s", image_latency_s, -1.0, 1.0);
-  checker.Range("odom_latency_s", odom_latency_s, -1.0, 1.0);
-  checker.Range("max_odom_gap_s", max_odom_gap_s, 0.01, 10.0);
-  checker.Range("odom_memory_s", odom_memory_s, 1.0, 1e6);
-  return checker.Passed();
-}
 
 RobotSensors::RobotSensors(const SensorOptions& options, const tf2::BufferCore* transforms)
     : options_(options),
@@ -43,38 +33,38 @@ bool RobotSensors::AddCameraInfo(const sensor_msgs::CameraInfo& message, std::st
   return camera.has_value();
 }
 
-bool RobotSensors::OdometryCovers(const std_msgs::Header& image) const {
-  return odometry_.Covers(ToNanoseconds(image.stamp) - DurationNs(options_.image_latency_s));
+bool RobotSensors::OdometryCovers(const RawImage& image) const {
+  return odometry_.Covers(image.stamp_ns - DurationNs(options_.image_latency_s));
 }
 
-bool RobotSensors::KnowsHead(const std_msgs::Header& image) const {
-  return HeadAt(image).has_value();
-}
+bool RobotSensors::KnowsHead(const RawImage& image) const { return HeadAt(image).has_value(); }
 
-std::optional<Rigid3> RobotSensors::HeadAt(const std_msgs::Header& image) const {
-  const int64_t taken_ns = ToNanoseconds(image.stamp) - DurationNs(options_.image_latency_s);
+std::optional<Rigid3> RobotSensors::HeadAt(const RawImage& image) const {
+  const int64_t taken_ns = image.stamp_ns - DurationNs(options_.image_latency_s);
   const ros::Time taken = ToTime(taken_ns);
-  if (image.frame_id.empty()) return std::nullopt;  // tf2 complains aloud about empty names
-  if (!transforms_->canTransform(options_.base_frame, image.frame_id, taken)) return std::nullopt;
+  if (image.camera_frame.empty()) return std::nullopt;  // tf2 complains aloud about empty names
+  if (!transforms_->canTransform(options_.base_frame, image.camera_frame, taken))
+    return std::nullopt;
   try {
     std::string error;
     return FromTransform(
-        transforms_->lookupTransform(options_.base_frame, image.frame_id, taken).transform, &error);
+        transforms_->lookupTransform(options_.base_frame, image.camera_frame, taken).transform,
+        &error);
   } catch (const tf2::TransformException&) {  // forgotten between the two calls
     return std::nullopt;
   }
 }
 
-ImageEvent RobotSensors::MakeEvent(const std_msgs::Header& header, const std::string& name,
-                                   ImageBytes bytes) const {
+ImageEvent RobotSensors::MakeEvent(const RawImage& image) const {
   ROVIO_CHECK(HasCamera(), "an image event needs a camera");
   ImageEvent event;
-  event.stamp_ns = ToNanoseconds(header.stamp);
-  event.name = name;
-  event.encoded = std::move(bytes);
+  event.stamp_ns = image.stamp_ns;
+  event.name = image.name;
+  event.camera_frame = image.camera_frame;
+  event.encoded = image.bytes;
   event.camera = *camera_;
   event.odometry = odometry_.At(event.stamp_ns - DurationNs(options_.image_latency_s));
-  event.base_from_camera = HeadAt(header);
+  event.base_from_camera = HeadAt(image);
   return event;
 }
 

@@ -6,7 +6,7 @@
 #include <csignal>
 #include <opencv2/core.hpp>
 
-#include "rovio_sfm/ros/option_reader.h"
+#include "rovio_sfm/ros/node_parameters.h"
 #include "rovio_sfm/util/log.h"
 
 namespace rovio_sfm {

@@ -260,4 +260,12 @@ void Session::MarkLandmark(TrackId track) const {
 
 void Session::MarkFrame(uint32_t index) const { frame_blocks_.erase(index / kFramesPerBlock); }
 
+const Landmark* ObservedLandmark(const Session& session, const FeatureRef& feature) {
+  const auto frame = session.keyframes().find(feature.frame);
+  if (frame == session.keyframes().end() || !frame->second.observed[feature.feature]) {
+    return nullptr;
+  }
+  return session.FindLandmark(frame->second.tracks[feature.feature]);
+}
+
 }  // namespace rovio_sfm

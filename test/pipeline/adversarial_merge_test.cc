@@ -50,7 +50,7 @@ struct Merging {
   std::vector<Explored> explored;
   MemoryFrameStore store;
   SessionTable table;
-  MapMerger merger{MapperOptions(), &store};
+  MapMerger merger{MapOptions(), &store};
 };
 
 // The thing of so many looks, somewhere; the first look tells things apart.

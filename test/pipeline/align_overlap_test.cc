@@ -18,7 +18,7 @@ TEST(AlignOverlap, IsExactWithoutNoise) {
   const TwoDrives two = MakeTwoDrives();
   const Session a = MappedSession(two, false, {}), b = MappedSession(two, true, OtherGauge());
   const PlaceMatch match = TrueOverlap(two, 8, 8);
-  const OverlapAlignment aligned = AlignOverlap(a, b, 8, match.pairs, MapperOptions());
+  const OverlapAlignment aligned = AlignOverlap(a, b, 8, match.pairs, MapOptions());
   ASSERT_TRUE(aligned.alignment) << aligned.reason;
   EXPECT_LT(ErrorOf(*aligned.alignment), 1e-6);
   EXPECT_FALSE(aligned.alignment->by_resection);
@@ -35,7 +35,7 @@ TEST(AlignOverlap, ResectsWhereFewLandmarksAreCommon) {
     if (b.FindLandmark(track) == nullptr || ++kept <= 6) continue;
     b.RemoveLandmark(track);
   }
-  const OverlapAlignment aligned = AlignOverlap(a, b, 8, match.pairs, MapperOptions());
+  const OverlapAlignment aligned = AlignOverlap(a, b, 8, match.pairs, MapOptions());
   ASSERT_TRUE(aligned.alignment) << aligned.reason;
   EXPECT_LT(ErrorOf(*aligned.alignment), 1e-3);
 }
@@ -48,14 +48,14 @@ TEST(AlignOverlap, TakesTheScaleOfTheOdometryWhereNoLandmarkIsCommon) {
     const TrackId track = b.keyframe(8).tracks[inlier.b];
     if (b.FindLandmark(track) != nullptr) b.RemoveLandmark(track);
   }
-  EXPECT_FALSE(AlignOverlap(a, b, 8, match.pairs, MapperOptions()).alignment);
+  EXPECT_FALSE(AlignOverlap(a, b, 8, match.pairs, MapOptions()).alignment);
   a.set_scale({0.5, 0.2, "odometry"});
   b.set_scale({0.5 / OtherGauge().scale, 0.05, "odometry"});
-  const OverlapAlignment vague = AlignOverlap(a, b, 8, match.pairs, MapperOptions());
+  const OverlapAlignment vague = AlignOverlap(a, b, 8, match.pairs, MapOptions());
   EXPECT_FALSE(vague.alignment);
   EXPECT_NE(vague.reason.find("scale"), std::string::npos) << vague.reason;
   a.set_scale({0.5, 0.05, "odometry"});
-  const OverlapAlignment aligned = AlignOverlap(a, b, 8, match.pairs, MapperOptions());
+  const OverlapAlignment aligned = AlignOverlap(a, b, 8, match.pairs, MapOptions());
   ASSERT_TRUE(aligned.alignment) << aligned.reason;
   EXPECT_LT(ErrorOf(*aligned.alignment), 1e-3);
   EXPECT_GT(aligned.alignment->sigma_log_scale, 0.05);
@@ -65,7 +65,7 @@ TEST(AlignOverlap, TakesTheScaleOfTheOdometryWhereNoLandmarkIsCommon) {
 TEST(AlignOverlap, SaysWhyThereIsNone) {
   const TwoDrives two = MakeTwoDrives();
   const Session a = MappedSession(two, false, {}), b = MappedSession(two, true, OtherGauge());
-  const OverlapAlignment aligned = AlignOverlap(a, b, 8, {}, MapperOptions());
+  const OverlapAlignment aligned = AlignOverlap(a, b, 8, {}, MapOptions());
   EXPECT_FALSE(aligned.alignment);
   EXPECT_NE(aligned.reason.find("no alignment"), std::string::npos);
 }
@@ -75,7 +75,7 @@ TEST(AlignLinks, RefinesFromAPoorStart) {
   const Session a = MappedSession(two, false, {}), b = MappedSession(two, true, OtherGauge());
   const Sim3 nudge{1.01, Eigen::Quaterniond::Identity(), {0.01, 0.0, 0.01}};
   const OverlapAlignment aligned = AlignLinks(a, b, LinksOf(TrueOverlap(two, 8, 8), a.id(), b.id()),
-                                              nudge * OtherGauge(), MapperOptions());
+                                              nudge * OtherGauge(), MapOptions());
   ASSERT_TRUE(aligned.alignment) << aligned.reason;
   EXPECT_LT(ErrorOf(*aligned.alignment), 1e-5);
 }

@@ -9,7 +9,7 @@ namespace {
 
 // Two perfectly mapped sessions in two gauges, ready to be merged.
 struct Sessions {
-  explicit Sessions(const TwoDrives& drives = MakeTwoDrives(), const MapperOptions& options = {})
+  explicit Sessions(const TwoDrives& drives = MakeTwoDrives(), const MapOptions& options = {})
       : two(drives),
         store(StoreOf(two)),
         a(MappedSession(two, false, {})),
@@ -31,8 +31,8 @@ struct Sessions {
   MapMerger merger;
 };
 
-MapperOptions WithMerge(const MergeOptions& merge) {
-  MapperOptions options;
+MapOptions WithMerge(const MergeOptions& merge) {
+  MapOptions options;
   options.merge = merge;
   return options;
 }

@@ -14,7 +14,7 @@ constexpr uint32_t kAfter = 20;   // of the second drive since
 
 // Two drives under a mapper, the second one still on its way.
 struct Driving {
-  explicit Driving(const MapperOptions& options = {})
+  explicit Driving(const MapOptions& options = {})
       : two(MakeTwoDrives(WorldOptions())), mapper(options, &store, &executor) {
     for (uint32_t i = 0; i < kBefore; ++i) Add(two.a[i]);
     for (uint32_t i = 0; i < kBefore; ++i) Add(two.b[i]);
@@ -101,7 +101,7 @@ TEST(MapperMerge, AForcedWrongMergeLeavesNoTraceOnceUndone) {
 }
 
 TEST(MapperMerge, AnAdjustedMergeLeavesNoTraceOnceUndone) {
-  MapperOptions options;
+  MapOptions options;
   options.merge.automatic = false;
   Driving driving(options);
   driving.mapper.Add(TrueOverlap(driving.two, 8, 8));

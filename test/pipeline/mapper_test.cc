@@ -23,7 +23,7 @@ SyntheticDrive FullDrive(uint64_t seed = 1) {
 }
 
 struct Mapping {
-  explicit Mapping(int num_threads = 0, const MapperOptions& options = {})
+  explicit Mapping(int num_threads = 0, const MapOptions& options = {})
       : executor(num_threads), mapper(options, &store, &executor) {}
   void Add(const SyntheticDrive& drive) {
     for (const FrameEvent& event : drive.events) mapper.Add(event);
@@ -139,7 +139,7 @@ TEST(Mapper, MeasuresItsStages) {
 }
 
 TEST(MapperDeathTest, EndsOnInvalidOptions) {
-  MapperOptions options;
+  MapOptions options;
   options.max_weak_frames = -5;
   testing::GTEST_FLAG(death_test_style) = "threadsafe";  // a library has started threads already
   EXPECT_DEATH(Mapping(0, options), "max_weak_frames");

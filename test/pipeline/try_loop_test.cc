@@ -12,7 +12,7 @@ TEST(TryLoop, LinksWhatFitsTheMap) {
   Session a = MappedSession(two, false, {}), b = MappedSession(two, true, OtherGauge());
   const PlaceMatch match = TrueOverlap(two, 8, 8);
   const auto trial =
-      TryLoop({&a, {}}, {&b, Inverse(OtherGauge())}, match.query, match.pairs, MapperOptions());
+      TryLoop({&a, {}}, {&b, Inverse(OtherGauge())}, match.query, match.pairs, MapOptions());
   ASSERT_TRUE(trial);
   EXPECT_EQ(trial->report.verdict, MergeVerdict::kAccepted);
   EXPECT_EQ(trial->report.kind, MergeKind::kLoop);
@@ -23,7 +23,7 @@ TEST(TryLoop, LeavesWhatGapesToBeJudged) {
   const TwoDrives two = MakeTwoDrives();
   Session a = MappedSession(two, false, {}), b = MappedSession(two, true, OtherGauge());
   const PlaceMatch match = TrueOverlap(two, 8, 8);
-  EXPECT_FALSE(TryLoop({&a, {}}, {&b, {}}, match.query, match.pairs, MapperOptions()));
+  EXPECT_FALSE(TryLoop({&a, {}}, {&b, {}}, match.query, match.pairs, MapOptions()));
 }
 
 TEST(TryLoop, LeavesTooFewMatchesToBeJudged) {
@@ -31,7 +31,7 @@ TEST(TryLoop, LeavesTooFewMatchesToBeJudged) {
   Session a = MappedSession(two, false, {}), b = MappedSession(two, true, {});
   PlaceMatch match = TrueOverlap(two, 8, 8);
   match.pairs[0].inliers.resize(10);
-  EXPECT_FALSE(TryLoop({&a, {}}, {&b, {}}, match.query, match.pairs, MapperOptions()));
+  EXPECT_FALSE(TryLoop({&a, {}}, {&b, {}}, match.query, match.pairs, MapOptions()));
 }
 
 TEST(TryLoop, PassesOverFeaturesThatDoNotExist) {
@@ -40,7 +40,7 @@ TEST(TryLoop, PassesOverFeaturesThatDoNotExist) {
   PlaceMatch match = TrueOverlap(two, 8, 8);
   const size_t count = match.pairs[0].inliers.size();
   match.pairs[0].inliers.push_back({100000, 0});
-  const auto trial = TryLoop({&a, {}}, {&b, {}}, match.query, match.pairs, MapperOptions());
+  const auto trial = TryLoop({&a, {}}, {&b, {}}, match.query, match.pairs, MapOptions());
   ASSERT_TRUE(trial);
   EXPECT_EQ(trial->links.size(), count);
 }

@@ -19,7 +19,7 @@ TEST(TryOverlap, ProvesATrueOverlap) {
     const Session a = MappedSession(two, false, {}), b = MappedSession(two, true, OtherGauge());
     const PlaceMatch match = TrueOverlap(two, 8, 8);
     const OverlapTrial trial =
-        TryOverlap(a, b, match.query, match.pairs, MapperOptions(), StoreOf(two));
+        TryOverlap(a, b, match.query, match.pairs, MapOptions(), StoreOf(two));
     EXPECT_EQ(trial.report.verdict, MergeVerdict::kAccepted) << trial.report.reason;
     EXPECT_LT(ScaleError(trial.report), noise_px == 0.0 ? 1e-6 : 0.01);
     EXPECT_GT(trial.links.size(), match.pairs[0].inliers.size());
@@ -32,7 +32,7 @@ TEST(TryOverlap, ChangesNothing) {
   const Session a = MappedSession(two, false, {}), b = MappedSession(two, true, OtherGauge());
   const std::string before = BytesOf(a) + BytesOf(b);
   const PlaceMatch match = TrueOverlap(two, 8, 8);
-  TryOverlap(a, b, match.query, match.pairs, MapperOptions(), StoreOf(two));
+  TryOverlap(a, b, match.query, match.pairs, MapOptions(), StoreOf(two));
   EXPECT_EQ(BytesOf(a) + BytesOf(b), before);
 }
 
@@ -41,8 +41,7 @@ TEST(TryOverlap, RefusesTooFewMatches) {
   const Session a = MappedSession(two, false, {}), b = MappedSession(two, true, OtherGauge());
   PlaceMatch match = TrueOverlap(two, 8, 8);
   match.pairs[0].inliers.resize(4);
-  const OverlapTrial trial =
-      TryOverlap(a, b, match.query, match.pairs, MapperOptions(), StoreOf(two));
+  const OverlapTrial trial = TryOverlap(a, b, match.query, match.pairs, MapOptions(), StoreOf(two));
   EXPECT_EQ(trial.report.verdict, MergeVerdict::kRefused);
   EXPECT_NE(trial.report.reason.find("no alignment"), std::string::npos);
   EXPECT_TRUE(trial.links.empty());

@@ -13,7 +13,7 @@ namespace {
 // Two drives that are mapped, each in a map of its own.
 class AnswerMerge : public testing::Test {
  protected:
-  AnswerMerge() : two_(MakeTwoDrives()), engine_(MapperOptions()) {
+  AnswerMerge() : two_(MakeTwoDrives()), engine_(MapOptions()) {
     for (const FrameEvent& event : two_.a) engine_.Add(event);
     for (const FrameEvent& event : two_.b) engine_.Add(event);
   }

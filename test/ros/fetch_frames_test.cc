@@ -21,7 +21,7 @@ FrameEventMsg::ConstPtr Message(uint32_t index) {
   event.image_name = std::to_string(index);
   event.camera = {500, 500, 320, 240, 0, 0, 0, 0, 0, 640, 480};
   event.features = std::make_shared<FrameFeatures>();
-  return boost::make_shared<FrameEventMsg>(ToMessage(event, "camera"));
+  return boost::make_shared<FrameEventMsg>(ToMessage(event));
 }
 
 // A node that holds some frames.

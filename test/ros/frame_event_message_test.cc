@@ -58,6 +58,7 @@ FrameEvent Keyframe(uint32_t num_features) {
   event.id = {{"rovio1", 1600000000123456789, 42}, 17};
   event.stamp_ns = 1600000001123456789;
   event.image_name = "000017.jpg";
+  event.camera_frame = "rovio1/camera_optical";
   event.camera = RovioCamera();
   event.features = RandomFeatures(event.camera, num_features, true, &rng);
   for (uint32_t i = 0; i < num_features; ++i) event.tracks.push_back(i % 3);
@@ -127,6 +128,7 @@ void ExpectSameEvents(const FrameEvent& a, const FrameEvent& b) {
   EXPECT_EQ(a.kind, b.kind);
   EXPECT_EQ(a.stamp_ns, b.stamp_ns);
   EXPECT_EQ(a.image_name, b.image_name);
+  EXPECT_EQ(a.camera_frame, b.camera_frame);
   EXPECT_EQ(a.camera, b.camera);
   ExpectSameFeatures(*a.features, *b.features);
   EXPECT_EQ(a.tracks, b.tracks);
@@ -150,7 +152,7 @@ void ExpectSameEvents(const FrameEvent& a, const FrameEvent& b) {
 TEST(FrameEventMessage, RoundTripKeepsAKeyframe) {
   const FrameEvent event = Keyframe(100);
   std::string error;
-  const auto back = FromMessage(ToMessage(event, "rovio1/camera_optical"), &error);
+  const auto back = FromMessage(ToMessage(event), &error);
   ASSERT_TRUE(back) << error;
   ExpectSameEvents(event, *back);
 }
@@ -158,7 +160,7 @@ TEST(FrameEventMessage, RoundTripKeepsAKeyframe) {
 TEST(FrameEventMessage, RoundTripKeepsALightFrame) {
   const FrameEvent event = LightFrame(50);
   std::string error;
-  const auto back = FromMessage(ToMessage(event, "camera_optical"), &error);
+  const auto back = FromMessage(ToMessage(event), &error);
   ASSERT_TRUE(back) << error;
   ExpectSameEvents(event, *back);
 }
@@ -168,7 +170,7 @@ TEST(FrameEventMessage, RoundTripKeepsMissingOdometryMissing) {
   event.odometry.reset();
   event.base_from_camera.reset();
   std::string error;
-  const auto back = FromMessage(ToMessage(event, "camera_optical"), &error);
+  const auto back = FromMessage(ToMessage(event), &error);
   ASSERT_TRUE(back) << error;
   EXPECT_FALSE(back->odometry);
   EXPECT_FALSE(back->base_from_camera);
@@ -177,13 +179,13 @@ TEST(FrameEventMessage, RoundTripKeepsMissingOdometryMissing) {
 TEST(FrameEventMessage, KeyframeOf1000FeaturesStaysBelow200Kilobytes) {
   FrameEvent event = Keyframe(1000);
   event.jpeg = nullptr;
-  const uint32_t size = ros::serialization::serializationLength(ToMessage(event, "camera"));
+  const uint32_t size = ros::serialization::serializationLength(ToMessage(event));
   EXPECT_LT(size, 200000u);
   RecordProperty("bytes", static_cast<int>(size));
 }
 
 TEST(FrameEventMessage, LightFrameOf500FeaturesStaysBelow10Kilobytes) {
-  const uint32_t size = ros::serialization::serializationLength(ToMessage(LightFrame(500), "c"));
+  const uint32_t size = ros::serialization::serializationLength(ToMessage(LightFrame(500)));
   EXPECT_LT(size, 10000u);
   RecordProperty("bytes", static_cast<int>(size));
 }
@@ -197,7 +199,7 @@ struct Refusal {
 class FrameEventRefusal : public testing::TestWithParam<Refusal> {};
 
 TEST_P(FrameEventRefusal, NamesTheField) {
-  FrameEventMsg message = ToMessage(Keyframe(20), "camera_optical");
+  FrameEventMsg message = ToMessage(Keyframe(20));
   GetParam().spoil(&message);
   std::string error;
   EXPECT_FALSE(FromMessage(message, &error));

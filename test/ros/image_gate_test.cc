@@ -2,50 +2,41 @@
 
 #include <gtest/gtest.h>
 
-#include "rovio_sfm/ros/conversions.h"
-
 namespace rovio_sfm {
 namespace {
 
 constexpr int64_t kSecondNs = 1000000000;
 
+// A robot whose odometry reaches up to a stamp.
+class FakeRobot : public RobotKnowledge {
+ public:
+  bool HasCamera() const override { return true; }
+  bool HasOdometry() const override { return newest_ns_ > 0; }
+  bool OdometryCovers(const RawImage& image) const override { return newest_ns_ >= image.stamp_ns; }
+  bool KnowsHead(const RawImage&) const override { return knows_head_; }
+  ImageEvent MakeEvent(const RawImage& image) const override {
+    ImageEvent event;
+    event.name = image.name;
+    if (OdometryCovers(image)) event.odometry = OdometrySample{};
+    return event;
+  }
+
+  int64_t newest_ns_ = 0;
+  bool knows_head_ = false;
+};
+
 class ImageGateTest : public testing::Test {
  protected:
-  ImageGateTest() : sensors_(Sensors(), &transforms_), gate_(GateOptions(), &sensors_) {
-    std::string error;
-    const Camera camera{500.0, 500.0, 32.0, 24.0, 0, 0, 0, 0, 0, 64, 48};
-    sensors_.AddCameraInfo(ToCameraInfo(camera, 0, ""), &error);
+  ImageGateTest() : gate_(GateOptions(), &robot_) {}
+
+  static RawImage Image(int64_t second) {
+    return {second * kSecondNs, "camera_optical", std::to_string(second), nullptr};
   }
 
-  static SensorOptions Sensors() {
-    SensorOptions options;
-    options.base_frame = "base_link";
-    return options;
-  }
+  void AddOdometry(int64_t second) { robot_.newest_ns_ = second * kSecondNs; }
+  void AddHead() { robot_.knows_head_ = true; }
 
-  static WaitingImage Image(int64_t second) {
-    WaitingImage image;
-    image.header.stamp = ToTime(second * kSecondNs);
-    image.header.frame_id = "camera_optical";
-    image.name = std::to_string(second);
-    return image;
-  }
-
-  void AddOdometry(int64_t second) {
-    std::string error;
-    sensors_.AddOdometry(ToOdometry({}, second * kSecondNs, "", ""), &error);
-  }
-
-  void AddHead() {
-    geometry_msgs::TransformStamped head;
-    head.header.frame_id = "base_link";
-    head.child_frame_id = "camera_optical";
-    head.transform = ToTransform(Rigid3());
-    transforms_.setTransform(head, "test", true);
-  }
-
-  tf2::BufferCore transforms_;
-  RobotSensors sensors_;
+  FakeRobot robot_;
   ImageGate gate_;
 };
 

@@ -58,8 +58,8 @@ TEST(LoadOptions, ShippedFrontendFileStatesEveryDefault) {
 
 TEST(LoadOptions, ShippedMappingFileStatesEveryDefault) {
   const YAML::Node file = ConfigFile("mapping.yaml");
-  const auto defaults = EffectiveOf<MapperOptions>(YAML::Node());
-  EXPECT_EQ(FirstDifference(EffectiveOf<MapperOptions>(file), defaults), "");
+  const auto defaults = EffectiveOf<MapOptions>(YAML::Node());
+  EXPECT_EQ(FirstDifference(EffectiveOf<MapOptions>(file), defaults), "");
   EXPECT_EQ(NumScalars(file), defaults.size());
 }
 
@@ -72,7 +72,7 @@ TEST(LoadOptions, ShippedPlaceRecognitionFileStatesEveryDefault) {
 
 TEST(LoadOptions, OutOfRangeNamesOptionAndBound) {
   const std::string error =
-      ErrorOf([] { EffectiveOf<MapperOptions>(YAML::Load("{resect: {min_inliers: 2}}")); });
+      ErrorOf([] { EffectiveOf<MapOptions>(YAML::Load("{resect: {min_inliers: 2}}")); });
   EXPECT_NE(error.find("min_inliers"), std::string::npos) << error;
 }
 

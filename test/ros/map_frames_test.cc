@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "ros/small_map.h"
+#include "pipeline/small_map.h"
 #include "rovio_sfm/pipeline/level_map.h"
+#include "rovio_sfm/pipeline/level_session.h"
 #include "rovio_sfm/ros/conversions.h"
 
 namespace rovio_sfm {
@@ -91,18 +92,6 @@ TEST(MapFrames, MergedSessionHangsWhereTheMergePutsIt) {
   EXPECT_NEAR(merged->transform.translation.x, 3.0, 1e-9);  // along the view: forward
 }
 
-TEST(MapFrames, SessionsOfAMergedMapShareItsUnit) {
-  MapPicture picture;
-  auto snapshot = std::make_shared<MapSnapshot>(*SmallMaps(2));
-  snapshot->sessions[1].map = {1};
-  snapshot->sessions[1].map_from_session.scale = 2.0;
-  picture.snapshot = snapshot;
-  const SessionSnapshot& merged = snapshot->sessions[1];
-  EXPECT_NEAR(CameraInLevel(merged, *FindFrame(merged, 4))->translation.x(), 4.0, 1e-9);
-  snapshot->sessions[1].scale = MapScale{3.0, 0.01, "odometry"};  // shared: of its own unit
-  EXPECT_NEAR(CameraInLevel(merged, *FindFrame(merged, 4))->translation.x(), 6.0, 1e-9);
-}
-
 TEST(MapFrames, CamerasAreWhereTheCloudOfTheMergedMapHasThem) {
   auto snapshot = std::make_shared<MapSnapshot>(*SmallMaps(2));
   snapshot->sessions[1].map = {1};
@@ -127,22 +116,6 @@ TEST(MapFrames, CamerasAreWhereTheCloudOfTheMergedMapHasThem) {
   const Rigid3 map_from_camera = *map_from_level * *level_from_camera;
   EXPECT_LT((map_from_camera.translation - expected.translation).norm(), 1e-9);
   EXPECT_LT(map_from_camera.rotation.angularDistance(expected.rotation), 1e-6);
-}
-
-TEST(MapFrames, RootIsTheFirstSessionWithAFrame) {
-  auto snapshot = std::make_shared<MapSnapshot>(*SmallMaps(2));
-  snapshot->sessions[0].frames.clear();
-  ASSERT_NE(FindRoot(*snapshot), nullptr);
-  EXPECT_EQ(FindRoot(*snapshot)->id.value, 2u);
-  EXPECT_EQ(FindRoot(MapSnapshot()), nullptr);
-}
-
-TEST(MapFrames, FrameIsFoundByItsIndexAlone) {
-  const SessionSnapshot session = SmallSession(1);
-  ASSERT_NE(FindFrame(session, 2), nullptr);
-  EXPECT_EQ(FindFrame(session, 2)->index, 2u);
-  EXPECT_EQ(FindFrame(session, 3), nullptr);
-  EXPECT_EQ(FindFrame(session, 9), nullptr);
 }
 
 TEST(MapFrames, AnchorOfAVanishedFrameGivesNoEdge) {

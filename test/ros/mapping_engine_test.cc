@@ -19,14 +19,14 @@ FrameEvent Event(const std::string& robot, uint32_t nonce, uint32_t index) {
 }
 
 TEST(MappingEngine, CountsWhatComesInAndShowsASession) {
-  MappingEngine engine((MapperOptions()));
+  MappingEngine engine((MapOptions()));
   EXPECT_EQ(engine.Picture().num_events, 0u);
   EXPECT_NE(engine.Add(Event("rovio1", 1, 0)).outcome, MapperOutcome::kRefused);
   EXPECT_EQ(engine.Picture().num_events, 1u);
 }
 
 TEST(MappingEngine, KnowsWhichIndexIsMissing) {
-  MappingEngine engine((MapperOptions()));
+  MappingEngine engine((MapOptions()));
   EXPECT_EQ(engine.NextIndex(Event("rovio1", 1, 7).id), 0u);
   engine.Add(Event("rovio1", 1, 0));
   EXPECT_EQ(engine.NextIndex(Event("rovio1", 1, 4).id), 1u);
@@ -34,7 +34,7 @@ TEST(MappingEngine, KnowsWhichIndexIsMissing) {
 }
 
 TEST(MappingEngine, RefusesAnEndedDrive) {
-  MappingEngine engine((MapperOptions()));
+  MappingEngine engine((MapOptions()));
   engine.Add(Event("rovio1", 1, 0));
   EXPECT_NE(engine.Add(Event("rovio1", 2, 0)).outcome, MapperOutcome::kRefused);
   const MapperReport report = engine.Add(Event("rovio1", 1, 1));
@@ -43,7 +43,7 @@ TEST(MappingEngine, RefusesAnEndedDrive) {
 }
 
 TEST(MappingEngine, TwoRobotsDriveSideBySide) {
-  MappingEngine engine((MapperOptions()));
+  MappingEngine engine((MapOptions()));
   for (uint32_t i = 0; i < 3; ++i) {
     EXPECT_NE(engine.Add(Event("rovio1", 1, i)).outcome, MapperOutcome::kRefused);
     EXPECT_NE(engine.Add(Event("rovio2", 1, i)).outcome, MapperOutcome::kRefused);
@@ -51,13 +51,13 @@ TEST(MappingEngine, TwoRobotsDriveSideBySide) {
 }
 
 TEST(MappingEngine, FinishingAnUnknownRobotSaysSo) {
-  MappingEngine engine((MapperOptions()));
+  MappingEngine engine((MapOptions()));
   EXPECT_FALSE(engine.FinishSession("rovio9"));
 }
 
 TEST(MappingEngine, ShowsTheMergeThatAPlaceMatchBrings) {
   const TwoDrives two = MakeTwoDrives();
-  MappingEngine engine((MapperOptions()));
+  MappingEngine engine((MapOptions()));
   engine.Add(TrueOverlap(two, 8, 8));  // waits: its drives are not known yet
   EXPECT_EQ(engine.Picture().num_place_matches, 1u);
   EXPECT_TRUE(engine.Picture().merges.empty());
@@ -70,7 +70,7 @@ TEST(MappingEngine, ShowsTheMergeThatAPlaceMatchBrings) {
 }
 
 TEST(MappingEngine, DriveGoesOnAfterReset) {
-  MappingEngine engine((MapperOptions()));
+  MappingEngine engine((MapOptions()));
   engine.Add(Event("rovio1", 1, 0));
   engine.Reset();
   EXPECT_NE(engine.Add(Event("rovio1", 1, 1)).outcome, MapperOutcome::kRefused);

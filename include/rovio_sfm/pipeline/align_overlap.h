@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "rovio_sfm/pipeline/mapper_options.h"
+#include "rovio_sfm/pipeline/map_options.h"
 #include "rovio_sfm/scene/feature_link.h"
 #include "rovio_sfm/scene/place_match.h"
 #include "rovio_sfm/scene/session.h"
@@ -25,11 +25,11 @@ struct OverlapAlignment {
 // common landmarks; else the query is resected among a's landmarks and the depths of its own give
 // the scale; else, where both sessions are metric, their odometry does. pairs: all of session a.
 OverlapAlignment AlignOverlap(const Session& a, const Session& b, uint32_t query,
-                              const std::vector<OverlapPair>& pairs, const MapperOptions& options);
+                              const std::vector<OverlapPair>& pairs, const MapOptions& options);
 
 // Refines an alignment with links found by searching (search_across.h).
 OverlapAlignment AlignLinks(const Session& a, const Session& b,
                             const std::vector<FeatureLink>& links, const Sim3& b_from_a,
-                            const MapperOptions& options);
+                            const MapOptions& options);
 
 }  // namespace rovio_sfm

@@ -29,6 +29,7 @@ struct MapperContext {
   Executor* executor = nullptr;  // of the global adjustment
   StageTimes* times = nullptr;   // may be null
   std::function<SessionId()> new_session_id;
+  std::function<void(Session*)> on_session_closed;  // once it is adjusted finally
 };
 
 // Maps one drive: its sessions, one after the other. Thread-compatible.

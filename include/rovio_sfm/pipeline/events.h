@@ -17,6 +17,7 @@ namespace rovio_sfm {
 struct ImageEvent {
   int64_t stamp_ns = 0;
   std::string name;                                     // file name or sequence number, for people
+  std::string camera_frame;                             // tf frame of the camera; empty: none
   std::shared_ptr<const std::vector<uint8_t>> encoded;  // JPEG or PNG bytes
   Camera camera;
   std::optional<OdometrySample> odometry;  // interpolated at the stamp
@@ -37,6 +38,7 @@ struct FrameEvent {
   FrameKind kind = FrameKind::kKeyframe;
   int64_t stamp_ns = 0;
   std::string image_name;
+  std::string camera_frame;  // tf frame of the camera; empty: none
   Camera camera;
   std::shared_ptr<const FrameFeatures> features;  // never null; light frames: no descriptors
   std::vector<TrackId> tracks;                    // one per keypoint, 0 for none

@@ -29,9 +29,6 @@ Rigid3 CamFromMap(const PlacedSession& placed, uint32_t frame);
 double LinkErrorSigmas(const PlacedSession& of_landmark, const Eigen::Vector3d& position,
                        const PlacedSession& of_feature, const FeatureRef& feature);
 
-// The landmark that a feature observes; null if none.
-const Landmark* ObservedLandmark(const Session& session, const FeatureRef& feature);
-
 // The sessions of a map as one bundle problem in the gauge of the map (§4.3.3): landmarks that
 // links join are one point, and a feature that a link joins to a landmark observes it.
 class MapBundle {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "rovio_sfm/pipeline/mapper_options.h"
+#include "rovio_sfm/pipeline/map_options.h"
 #include "rovio_sfm/pipeline/merge_ledger.h"
 #include "rovio_sfm/pipeline/session_table.h"
 #include "rovio_sfm/pipeline/try_overlap.h"
@@ -25,7 +25,7 @@ namespace rovio_sfm {
 class MapMerger {
  public:
   // Options must be valid; the store must outlive this.
-  MapMerger(const MapperOptions& options, const FrameStore* store);
+  MapMerger(const MapOptions& options, const FrameStore* store);
 
   // Judges a place match at once or, where its frames or sessions are not there yet, later. One
   // whose frame and matched frame were judged together before, or wait, is counted and ignored.
@@ -87,7 +87,7 @@ class MapMerger {
   void Undo(const std::vector<MergeRecord*>& records, const SessionTable& sessions);
   void Repeat(const MergeRecord& record, const SessionTable& sessions);
 
-  MapperOptions options_;
+  MapOptions options_;
   const FrameStore* store_;
   std::deque<Waiting> waiting_;
   uint64_t num_repeated_ = 0;

@@ -8,7 +8,7 @@
 #include "rovio_sfm/pipeline/drive_mapper.h"
 #include "rovio_sfm/pipeline/events.h"
 #include "rovio_sfm/pipeline/map_merger.h"
-#include "rovio_sfm/pipeline/mapper_options.h"
+#include "rovio_sfm/pipeline/map_options.h"
 #include "rovio_sfm/scene/frame_store.h"
 #include "rovio_sfm/scene/map_snapshot.h"
 #include "rovio_sfm/util/stage_times.h"
@@ -22,7 +22,7 @@ class Mapper {
  public:
   // The store, the times (may be null) and the executor of global adjustments must outlive the
   // mapper. Options must be valid.
-  Mapper(const MapperOptions& options, FrameStore* store, Executor* executor,
+  Mapper(const MapOptions& options, FrameStore* store, Executor* executor,
          StageTimes* times = nullptr);
 
   // Takes the next event of its drive. An event that does not fit (index not increasing, camera of
@@ -63,6 +63,7 @@ class Mapper {
   void TrySeed(const DriveId& drive);
   void AdjustMaps();
 
+  MapOptions options_;
   MapperContext context_;
   MapMerger merger_;
   uint32_t num_sessions_ = 0;

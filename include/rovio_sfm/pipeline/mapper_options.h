@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <string>
 
-#include "rovio_sfm/pipeline/merge_options.h"
 #include "rovio_sfm/tracks/filter_f2.h"
 
 namespace rovio_sfm {
@@ -66,6 +65,7 @@ struct ScaleOptions {
   bool IsValid(std::string* error) const;
 };
 
+// How a drive is mapped.
 struct MapperOptions {
   BootstrapOptions bootstrap;
   ResectOptions resect;
@@ -73,7 +73,6 @@ struct MapperOptions {
   AdjustOptions adjust;
   PruneOptions prune;
   ScaleOptions scale;
-  MergeOptions merge;
   FilterF2Options f2;           // when two landmarks of linked tracks become one
   int max_weak_frames = 3;      // more in a row end the session as lost, 0 to 100
   int max_weak_tries = 10;      // later keyframes at which a weak one is tried again, 1 to 1000

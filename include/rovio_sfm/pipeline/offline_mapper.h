@@ -20,7 +20,7 @@ namespace rovio_sfm {
 
 struct OfflineMapperOptions {
   FrontendOptions frontend;
-  MapperOptions mapper;
+  MapOptions mapper;
   PlaceRecognizerOptions places;
   // Algorithms 1 to 3 of the thesis (§4.3), in their phases: the features of all drives, the places
   // of all frames, then one session after the other, each seeded from those before.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "rovio_sfm/pipeline/map_bundle.h"
-#include "rovio_sfm/pipeline/mapper_options.h"
+#include "rovio_sfm/pipeline/map_options.h"
 #include "rovio_sfm/pipeline/try_overlap.h"
 
 namespace rovio_sfm {
@@ -15,6 +15,6 @@ namespace rovio_sfm {
 // and TryOverlap must judge it. pairs: those of the match whose frames are in session a.
 std::optional<OverlapTrial> TryLoop(const PlacedSession& a, const PlacedSession& b,
                                     const FrameId& query, const std::vector<OverlapPair>& pairs,
-                                    const MapperOptions& options);
+                                    const MapOptions& options);
 
 }  // namespace rovio_sfm

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "rovio_sfm/pipeline/mapper_options.h"
+#include "rovio_sfm/pipeline/map_options.h"
 #include "rovio_sfm/scene/feature_link.h"
 #include "rovio_sfm/scene/frame_store.h"
 #include "rovio_sfm/scene/merge_report.h"
@@ -22,7 +22,7 @@ struct OverlapTrial {
 // around the overlap, aligns again with what was found, and judges the evidence. pairs: those of
 // the match whose frames are in session a.
 OverlapTrial TryOverlap(const Session& a, const Session& b, const FrameId& query,
-                        const std::vector<OverlapPair>& pairs, const MapperOptions& options,
+                        const std::vector<OverlapPair>& pairs, const MapOptions& options,
                         const FrameStore& store);
 
 }  // namespace rovio_sfm

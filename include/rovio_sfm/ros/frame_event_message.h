@@ -10,9 +10,8 @@
 namespace rovio_sfm {
 
 // An event as it goes over the wire. Distances and ratios of matches stay behind, and so do angles,
-// responses and colours of light frames: nobody downstream uses them. `optical_frame` is the tf
-// frame of the camera.
-FrameEventMsg ToMessage(const FrameEvent& event, const std::string& optical_frame);
+// responses and colours of light frames: nobody downstream uses them.
+FrameEventMsg ToMessage(const FrameEvent& event);
 
 // The event of a message; its normalised keypoints are computed anew from the pixels. Nothing where
 // the message is malformed: `error` names the field and what was expected.

@@ -85,7 +85,6 @@ class FrontendNode {
   EventHistory history_;
   mutable Mutex mutex_;
   Progress progress_ GUARDED_BY(mutex_);
-  std::string optical_frame_ GUARDED_BY(mutex_);  // of the last image
 
   Frontend frontend_;           // worker thread only
   std::optional<Drawn> drawn_;  // worker thread only

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "rovio_sfm/pipeline/events.h"
-#include "rovio_sfm/ros/robot_sensors.h"
 
 namespace rovio_sfm {
 
@@ -18,23 +20,39 @@ struct GateOptions {
   bool IsValid(std::string* error) const;
 };
 
-struct WaitingImage {
-  std_msgs::Header header;
-  std::string name;
-  ImageBytes bytes;
+// An image as it came.
+struct RawImage {
+  int64_t stamp_ns = 0;
+  std::string camera_frame;                           // tf frame of the camera; empty: none
+  std::string name;                                   // file name or sequence number, for people
+  std::shared_ptr<const std::vector<uint8_t>> bytes;  // JPEG or PNG
+};
+
+// What is known of a robot at the stamps of its images.
+class RobotKnowledge {
+ public:
+  virtual ~RobotKnowledge() = default;
+
+  virtual bool HasCamera() const = 0;
+  virtual bool HasOdometry() const = 0;
+  // True if later odometry or transforms would not add to what is known at the image's stamp.
+  virtual bool OdometryCovers(const RawImage& image) const = 0;
+  virtual bool KnowsHead(const RawImage& image) const = 0;
+  // The event of an image, with whatever is known at its stamp. Needs HasCamera().
+  virtual ImageEvent MakeEvent(const RawImage& image) const = 0;
 };
 
 // Images on their way into a frontend, in order; holds back those about which more may become
 // known. When full the oldest is dropped. Times are seconds of any steady clock. Not thread-safe;
-// the sensors are borrowed.
+// the knowledge is borrowed.
 class ImageGate {
  public:
   static constexpr size_t kCapacity = 16;  // images; drop oldest
 
-  ImageGate(const GateOptions& options, const RobotSensors* sensors)
-      : options_(options), sensors_(sensors) {}
+  ImageGate(const GateOptions& options, const RobotKnowledge* robot)
+      : options_(options), robot_(robot) {}
 
-  void Add(WaitingImage image, double now_s);
+  void Add(RawImage image, double now_s);
   // The oldest image, if nothing more is to be waited for.
   std::optional<ImageEvent> Take(double now_s);
 
@@ -42,14 +60,14 @@ class ImageGate {
 
  private:
   struct Entry {
-    WaitingImage image;
+    RawImage image;
     double arrived_s = 0.0;
   };
 
   bool IsReady(const Entry& entry, double now_s);
 
   GateOptions options_;
-  const RobotSensors* sensors_;
+  const RobotKnowledge* robot_;
   std::deque<Entry> waiting_;
   std::optional<double> first_s_;
   bool has_seen_head_ = false;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rovio_sfm/pipeline/frontend_options.h"
-#include "rovio_sfm/pipeline/mapper_options.h"
+#include "rovio_sfm/pipeline/map_options.h"
 #include "rovio_sfm/pipeline/match_pair.h"
 #include "rovio_sfm/pipeline/place_recognizer_options.h"
 #include "rovio_sfm/ros/option_reader.h"
@@ -13,7 +13,7 @@
 namespace rovio_sfm {
 
 void ReadOptions(OptionReader* reader, FrontendOptions* options);         // config/frontend.yaml
-void ReadOptions(OptionReader* reader, MapperOptions* options);           // config/mapping.yaml
+void ReadOptions(OptionReader* reader, MapOptions* options);              // config/mapping.yaml
 void ReadOptions(OptionReader* reader, PlaceRecognizerOptions* options);  // place_recognition.yaml
 void ReadOptions(OptionReader* reader, SensorOptions* options);
 void ReadOptions(OptionReader* reader, PairOptions* options);   // a group of several

@@ -36,7 +36,7 @@ struct MapPicture {
 // thread calls everything but Picture(), which is thread-safe.
 class MappingEngine {
  public:
-  explicit MappingEngine(const MapperOptions& options);
+  explicit MappingEngine(const MapOptions& options);
 
   MapperReport Add(const FrameEvent& event);
   // Takes an overlap; it waits until its frames are there. Merge reports say what became of it.
@@ -62,7 +62,7 @@ class MappingEngine {
  private:
   // A mapper dies before what it borrows.
   struct State {
-    explicit State(const MapperOptions& options) : mapper(options, &store, &executor) {}
+    explicit State(const MapOptions& options) : mapper(options, &store, &executor) {}
     MemoryFrameStore store;
     Executor executor{1};  // of global adjustments
     Mapper mapper;
@@ -71,7 +71,7 @@ class MappingEngine {
   bool EnterDrive(const DriveId& drive, std::string* error);
   void Show() EXCLUDES(mutex_);
 
-  MapperOptions options_;
+  MapOptions options_;
   std::unique_ptr<State> state_;
   std::map<std::string, DriveId> current_drives_;  // by robot
   std::set<DriveId> ended_drives_;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rovio_sfm/pipeline/mapper_options.h"
+#include "rovio_sfm/pipeline/map_options.h"
 
 namespace rovio_sfm {
 
@@ -17,7 +17,7 @@ struct MappingNodeOptions {
   double cloud_period_s = 1.0;  // the cloud goes out no more often; 0.1 to 60
   double drain_s = 10.0;        // at the end, for frames that are queued; 0 to 3600
   double diagnostic_period = 1.0;  // s between two diagnostics; 0.1 to 60
-  MapperOptions mapper;            // group "mapper": config/mapping.yaml
+  MapOptions mapper;               // group "mapper": config/mapping.yaml
 
   bool IsValid(std::string* error) const;
 };

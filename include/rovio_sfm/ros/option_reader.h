@@ -1,6 +1,5 @@
 #pragma once
 
-#include <xmlrpcpp/XmlRpcValue.h>
 #include <yaml-cpp/yaml.h>
 
 #include <cstdint>
@@ -87,8 +86,5 @@ void OptionReader::ReadChoice(const std::string& name,
   }
   Fail(name, "expected one of " + expected);
 }
-
-// The parameters of a node as YAML, so that both go through one reader.
-YAML::Node ToYaml(XmlRpc::XmlRpcValue value);
 
 }  // namespace rovio_sfm

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "rovio_sfm/scene/feature_link.h"
 #include "rovio_sfm/scene/frame.h"
 #include "rovio_sfm/scene/ids.h"
 #include "rovio_sfm/scene/map_snapshot.h"
@@ -153,6 +154,9 @@ class Session {
   mutable LandmarkBlocks landmark_blocks_;
   mutable std::set<uint32_t> moved_;  // keyframes since then: their light frames moved with them
 };
+
+// The landmark that a feature of the session observes; null if none.
+const Landmark* ObservedLandmark(const Session& session, const FeatureRef& feature);
 
 // Names the first broken invariant between frames, tracks and landmarks; empty if all hold.
 std::string CheckInvariants(const Session& session);

@@ -8,7 +8,6 @@
 #include "rovio_sfm/sim/omni_wheels.h"
 #include "rovio_sfm/sim/robot_backend.h"
 #include "rovio_sfm/sim/robot_body.h"
-#include "rovio_sfm/sim/tour.h"
 
 namespace rovio_sfm::sim {
 

@@ -12,6 +12,11 @@ Camera RovioCamera();
 // The same lens at another size of picture: the sensor is scaled, not cropped.
 Camera ScaleCamera(const Camera& camera, int width, int height);
 
+// Where a robot stands on the floor of the world.
+struct PlanarPose {
+  double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
+};
+
 // Where the camera sits for a head position as GetMCUReport tells it: about 204 down, 135 middle,
 // 65 up. Base: x forward, y left, z up, on the floor under the robot's middle. Camera: x right,
 // y down, z forward. The arm lifts it from 0.12 m to 0.28 m; it looks level at every height.

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "rovio_sfm/sim/robot_body.h"
+
 namespace rovio_sfm::sim {
 
 // Where the robot shall go next. Between two way-points it moves evenly, along a line or around
@@ -35,10 +37,6 @@ TourSpec LoadTour(const std::string& path);
 
 // The same from text; source stands in the messages.
 TourSpec ParseTour(const std::string& yaml, const std::string& source);
-
-struct PlanarPose {
-  double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
-};
 
 // One pose per picture, jittered along the way and sideways by the seed.
 std::vector<PlanarPose> PlanTour(const TourSpec& tour, uint64_t seed);
