@@ -7,7 +7,7 @@ add_test(NAME check_docs COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_docs)
 # files), with its tests and no more than it needs, so that the build takes a minute.
 if(ROVIO_SANITIZE)
   set(PARSERS rovio/mjpeg_parser rovio/jpeg_check rovio/rovio_protocol rovio/header_value
-              sim/http_request sim/parameters sim/tcp_socket io/text_file io/odometry_file
+              sim/http/http_request sim/http/parameters sim/http/tcp_socket io/text_file io/odometry_file
               io/trajectory_file io/dataset_folder io/calibration)
   set(PARSER_SOURCES util/check util/rng geometry/camera ${PARSERS})
   list(TRANSFORM PARSER_SOURCES REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/src/\\1.cc")
@@ -30,7 +30,7 @@ if(BENCHMARKS)
   rovio_compile_options(benchmarks)
   target_include_directories(benchmarks PRIVATE ${PROJECT_SOURCE_DIR}/test)
   target_compile_definitions(benchmarks PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  target_link_libraries(benchmarks PRIVATE rovio_pipeline rovio_synthetic benchmark::benchmark_main)
+  target_link_libraries(benchmarks PRIVATE rovio_app rovio_synthetic benchmark::benchmark_main)
 endif()
 
 # The nodes, each against its neighbours over a real master: test/ros/*.test. Wiring only.

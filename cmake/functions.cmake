@@ -1,8 +1,10 @@
-# rovio_library(NAME LINKS target...): the static library rovio_NAME from src/NAME/*.cc, and, from
-# test/NAME/*_test.cc, the GoogleTest program NAME_test. The link list is the layer rule.
-function(rovio_library NAME)
+# rovio_library(ROOM LINKS target...): the static library rovio_ROOM from src/ROOM/*.cc, and, from
+# test/ROOM/*_test.cc, the GoogleTest program ROOM_test; a / in ROOM becomes _. The link list is the
+# layer rule.
+function(rovio_library ROOM)
   cmake_parse_arguments(ARG "" "" "LINKS;TEST_LINKS" ${ARGN})
-  file(GLOB SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${NAME}/*.cc)
+  string(REPLACE "/" "_" NAME ${ROOM})
+  file(GLOB SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${ROOM}/*.cc)
   if(SOURCES)
     add_library(rovio_${NAME} STATIC ${SOURCES})
     rovio_compile_options(rovio_${NAME})
@@ -13,12 +15,13 @@ function(rovio_library NAME)
     target_include_directories(rovio_${NAME} INTERFACE ${PROJECT_SOURCE_DIR}/include)
     target_link_libraries(rovio_${NAME} INTERFACE ${ARG_LINKS})
   endif()
-  rovio_test(${NAME} rovio_${NAME} ${ARG_TEST_LINKS})
+  rovio_test(${ROOM} rovio_${NAME} ${ARG_TEST_LINKS})
 endfunction()
 
-# rovio_test(NAME target...): the GoogleTest program NAME_test from test/NAME/*_test.cc.
-function(rovio_test NAME)
-  file(GLOB TESTS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/${NAME}/*_test.cc)
+# rovio_test(ROOM target...): the GoogleTest program ROOM_test from test/ROOM/*_test.cc.
+function(rovio_test ROOM)
+  string(REPLACE "/" "_" NAME ${ROOM})
+  file(GLOB TESTS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/${ROOM}/*_test.cc)
   if(NOT TESTS)
     return()
   endif()

@@ -1,4 +1,4 @@
-# The layers, bottom to top: a folder may include what it links, and nothing else.
+# The rooms, bottom to top: each is a library that may include what it links, and nothing else.
 set(OPENCV ${OpenCV_LIBS})
 
 rovio_library(util LINKS Threads::Threads PkgConfig::OPENBLAS)
@@ -27,16 +27,28 @@ rovio_library(sfm      LINKS rovio_scene ceres ${OPENCV} TEST_LINKS rovio_synthe
 rovio_library(places   LINKS rovio_scene ZLIB::ZLIB TEST_LINKS rovio_synthetic)
 rovio_library(sessions LINKS rovio_scene ceres TEST_LINKS rovio_synthetic)
 rovio_library(io       LINKS rovio_scene ${OPENCV} PkgConfig::YAMLCPP TEST_LINKS rovio_synthetic)
-rovio_library(sim      LINKS rovio_geometry embree CLI11::CLI11 PkgConfig::YAMLCPP ${OPENCV})
-target_compile_definitions(rovio_sim PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
-rovio_library(pipeline LINKS rovio_features rovio_matching rovio_tracks rovio_sfm rovio_places
-                             rovio_sessions rovio_io TEST_LINKS rovio_synthetic)
-rovio_library(tools    LINKS rovio_pipeline rovio_io CLI11::CLI11 nlohmann_json::nlohmann_json
-                       TEST_LINKS rovio_synthetic)
+# From one drive's images to maps: each room knows the steps, and the rooms above it.
+set(STEPS rovio_features rovio_matching rovio_tracks rovio_sfm rovio_places rovio_sessions rovio_io)
+rovio_library(frontend    LINKS ${STEPS} TEST_LINKS rovio_synthetic)
+rovio_library(recognition LINKS ${STEPS} TEST_LINKS rovio_synthetic)
+rovio_library(mapping     LINKS ${STEPS} TEST_LINKS rovio_synthetic)
+rovio_library(merging     LINKS rovio_mapping TEST_LINKS rovio_synthetic)
+rovio_library(report      LINKS ${STEPS} TEST_LINKS rovio_synthetic)
+rovio_library(app         LINKS rovio_frontend rovio_recognition rovio_merging rovio_report
+                                rovio_rovio CLI11::CLI11 TEST_LINKS rovio_synthetic)
+target_compile_definitions(rovio_app PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+rovio_library(tools       LINKS rovio_app nlohmann_json::nlohmann_json TEST_LINKS rovio_synthetic)
 target_compile_definitions(rovio_tools PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 if(ROVIO_WITH_ROS)
-  rovio_library(ros    LINKS rovio_tools rovio_pipeline rovio_rovio rovio_io ${catkin_LIBRARIES}
-                       TEST_LINKS rovio_synthetic)
+  rovio_library(ros       LINKS rovio_app ${catkin_LIBRARIES} TEST_LINKS rovio_synthetic)
   add_dependencies(rovio_ros ${${PROJECT_NAME}_EXPORTED_TARGETS})  # generated headers
 endif()
+
+# The simulated robot stands apart and shares nothing with rovio/.
+rovio_library(sim/world LINKS rovio_geometry embree PkgConfig::YAMLCPP ${OPENCV})
+rovio_library(sim/robot LINKS rovio_sim_world)
+rovio_library(sim/tour  LINKS rovio_sim_robot)
+rovio_library(sim/http  LINKS rovio_sim_robot)
+rovio_library(sim       LINKS rovio_sim_tour rovio_sim_http CLI11::CLI11)
+target_compile_definitions(rovio_sim PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

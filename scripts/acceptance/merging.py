@@ -239,12 +239,12 @@ def twin_worlds(quick):
 
 
 def unit_tests(suite):
-    """A line that holds if the tests of a suite of pipeline_test do, and there are some."""
+    """A line that holds if the tests of a suite of app_test do, and there are some."""
     def check(_quick):
-        places = PROGRAMS / "pipeline_test", BUILD / "pipeline_test"
+        places = PROGRAMS / "app_test", BUILD / "app_test"
         program = next((place for place in places if place.exists()), None)
         if program is None:
-            raise Skipped("pipeline_test is not built")
+            raise Skipped("app_test is not built")
         said = run(program, f"--gtest_filter={suite}.*", check=False)
         failed = [line.split("]")[1].strip() for line in said.splitlines() if "[  FAILED  ]" in line]
         count = said.count("[       OK ]")

@@ -2,7 +2,7 @@
 
 #include <exception>
 
-#include "rovio_sfm/ros/driver_credentials.h"
+#include "rovio_sfm/app/driver_credentials.h"
 #include "rovio_sfm/ros/rovio_driver_node.h"
 #include "rovio_sfm/ros/run_node.h"
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "rovio_sfm/pipeline/level_session.h"
+#include "rovio_sfm/report/level_session.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/map_frames.h"
 #include "rovio_sfm/ros/merge_report_message.h"

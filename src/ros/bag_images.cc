@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "rovio_sfm/ros/conversions.h"
+#include "rovio_sfm/ros/image_bytes.h"
 #include "rovio_sfm/ros/topics.h"
 #include "rovio_sfm/scene/ids.h"
 

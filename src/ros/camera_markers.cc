@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "rovio_sfm/pipeline/level_session.h"
+#include "rovio_sfm/report/level_session.h"
 #include "rovio_sfm/ros/map_frames.h"
 
 namespace rovio_sfm {

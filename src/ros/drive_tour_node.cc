@@ -7,9 +7,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "rovio_sfm/ros/option_reader.h"
+#include "rovio_sfm/app/option_reader.h"
+#include "rovio_sfm/app/tour_file.h"
 #include "rovio_sfm/ros/topics.h"
-#include "rovio_sfm/ros/tour_file.h"
 
 namespace rovio_sfm {
 namespace {

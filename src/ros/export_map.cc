@@ -4,8 +4,8 @@
 #include <cctype>
 #include <exception>
 
+#include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/ros/status.h"
-#include "rovio_sfm/tools/write_map_files.h"
 
 namespace rovio_sfm {
 namespace {

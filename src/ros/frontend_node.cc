@@ -6,9 +6,10 @@
 
 #include <utility>
 
+#include "rovio_sfm/frontend/draw_matches.h"
 #include "rovio_sfm/ros/conversions.h"
-#include "rovio_sfm/ros/draw_matches.h"
 #include "rovio_sfm/ros/frame_event_message.h"
+#include "rovio_sfm/ros/image_bytes.h"
 #include "rovio_sfm/ros/topics.h"
 #include "rovio_sfm/util/check.h"
 

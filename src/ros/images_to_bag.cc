@@ -9,10 +9,10 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/io/odometry_file.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/topics.h"
-#include "rovio_sfm/tools/command_arguments.h"
 
 namespace rovio_sfm {
 namespace {

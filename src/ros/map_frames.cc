@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "rovio_sfm/pipeline/level_session.h"
+#include "rovio_sfm/report/level_session.h"
 #include "rovio_sfm/ros/conversions.h"
 
 namespace rovio_sfm {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "rovio_sfm/pipeline/level_session.h"
-#include "rovio_sfm/pipeline/map_statistics.h"
+#include "rovio_sfm/report/level_session.h"
+#include "rovio_sfm/report/map_statistics.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/map_frames.h"
 

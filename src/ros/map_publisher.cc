@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "rovio_sfm/pipeline/level_session.h"
+#include "rovio_sfm/report/level_session.h"
 #include "rovio_sfm/ros/camera_markers.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/map_frames.h"

@@ -6,11 +6,11 @@
 #include <set>
 #include <utility>
 
+#include "rovio_sfm/app/place_model_option.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/place_match_message.h"
 #include "rovio_sfm/ros/place_status_message.h"
 #include "rovio_sfm/ros/topics.h"
-#include "rovio_sfm/tools/place_model_option.h"
 
 namespace rovio_sfm {
 namespace {

@@ -2,7 +2,7 @@
 #include <rovio_sfm/ListSessions.h>
 
 #include "rovio_sfm/features/decode_image.h"
-#include "rovio_sfm/pipeline/prepare_image.h"
+#include "rovio_sfm/frontend/prepare_image.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/place_match_message.h"
 #include "rovio_sfm/ros/place_recognition_node.h"

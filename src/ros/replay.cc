@@ -9,12 +9,12 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "rovio_sfm/app/command_arguments.h"
+#include "rovio_sfm/app/load_options.h"
+#include "rovio_sfm/app/place_model_option.h"
+#include "rovio_sfm/app/progress_bar.h"
+#include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/ros/bag_images.h"
-#include "rovio_sfm/ros/load_options.h"
-#include "rovio_sfm/tools/command_arguments.h"
-#include "rovio_sfm/tools/place_model_option.h"
-#include "rovio_sfm/tools/progress_bar.h"
-#include "rovio_sfm/tools/write_map_files.h"
 
 namespace rovio_sfm {
 namespace {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "rovio_sfm/sim/audit.h"
 #include "rovio_sfm/sim/config_folder.h"
-#include "rovio_sfm/sim/render_tour.h"
 #include "rovio_sfm/sim/serve.h"
 #include "rovio_sfm/sim/serve_simulated_robot.h"
+#include "rovio_sfm/sim/tour/audit.h"
+#include "rovio_sfm/sim/tour/render_tour.h"
 
 namespace rovio_sfm::sim {
 namespace {

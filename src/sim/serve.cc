@@ -5,8 +5,8 @@
 #include <iostream>
 #include <memory>
 
-#include "rovio_sfm/sim/image_folder_backend.h"
-#include "rovio_sfm/sim/parameters.h"
+#include "rovio_sfm/sim/http/parameters.h"
+#include "rovio_sfm/sim/robot/image_folder_backend.h"
 
 namespace rovio_sfm::sim {
 namespace {

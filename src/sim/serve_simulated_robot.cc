@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-#include "rovio_sfm/sim/load_world.h"
-#include "rovio_sfm/sim/simulated_robot.h"
-#include "rovio_sfm/sim/tour.h"
+#include "rovio_sfm/sim/robot/simulated_robot.h"
+#include "rovio_sfm/sim/tour/tour.h"
+#include "rovio_sfm/sim/world/load_world.h"
 #include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm::sim {

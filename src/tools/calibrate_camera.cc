@@ -7,11 +7,11 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/features/decode_image.h"
 #include "rovio_sfm/io/calibration.h"
 #include "rovio_sfm/io/text_file.h"
 #include "rovio_sfm/io/write_file.h"
-#include "rovio_sfm/tools/command_arguments.h"
 #include "rovio_sfm/tools/list_images.h"
 #include "rovio_sfm/util/option_checker.h"
 

@@ -8,9 +8,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "rovio_sfm/app/command_arguments.h"
+#include "rovio_sfm/app/place_model_option.h"
 #include "rovio_sfm/io/write_file.h"
-#include "rovio_sfm/tools/command_arguments.h"
-#include "rovio_sfm/tools/place_model_option.h"
 #include "rovio_sfm/tools/place_trial.h"
 
 namespace rovio_sfm {

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "rovio_sfm/pipeline/evaluation.h"
-#include "rovio_sfm/tools/command_arguments.h"
+#include "rovio_sfm/app/command_arguments.h"
+#include "rovio_sfm/report/evaluation.h"
 #include "rovio_sfm/tools/evaluation_json.h"
 
 namespace rovio_sfm {

@@ -6,12 +6,12 @@
 #include <opencv2/core.hpp>
 #include <ostream>
 
+#include "rovio_sfm/app/command_arguments.h"
+#include "rovio_sfm/app/place_model_option.h"
+#include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/io/dataset_folder.h"
 #include "rovio_sfm/io/text_file.h"
-#include "rovio_sfm/tools/command_arguments.h"
 #include "rovio_sfm/tools/map_summary.h"
-#include "rovio_sfm/tools/place_model_option.h"
-#include "rovio_sfm/tools/write_map_files.h"
 
 namespace rovio_sfm {
 namespace {

@@ -7,9 +7,9 @@
 #include <optional>
 #include <set>
 
-#include "rovio_sfm/pipeline/evaluation.h"
-#include "rovio_sfm/pipeline/level_map.h"
-#include "rovio_sfm/pipeline/map_statistics.h"
+#include "rovio_sfm/report/evaluation.h"
+#include "rovio_sfm/report/level_map.h"
+#include "rovio_sfm/report/map_statistics.h"
 #include "rovio_sfm/tools/evaluation_json.h"
 #include "rovio_sfm/tools/merges_json.h"
 

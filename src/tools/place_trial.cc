@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "rovio_sfm/features/decode_image.h"
+#include "rovio_sfm/frontend/prepare_image.h"
 #include "rovio_sfm/io/text_file.h"
-#include "rovio_sfm/pipeline/prepare_image.h"
 #include "rovio_sfm/places/tf_idf.h"
 #include "rovio_sfm/scene/memory_frame_store.h"
 #include "rovio_sfm/util/executor.h"

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "rovio_sfm/pipeline/place_model_file.h"
-#include "rovio_sfm/pipeline/train_places.h"
-#include "rovio_sfm/tools/command_arguments.h"
+#include "rovio_sfm/app/command_arguments.h"
+#include "rovio_sfm/app/place_model_file.h"
+#include "rovio_sfm/app/progress_bar.h"
 #include "rovio_sfm/tools/list_images.h"
-#include "rovio_sfm/tools/progress_bar.h"
+#include "rovio_sfm/tools/train_place_model.h"
 
 namespace rovio_sfm {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "rovio_sfm/pipeline/place_model_file.h"
+#include "rovio_sfm/app/place_model_file.h"
 #include "rovio_sfm/places/fabmap.h"
 #include "rovio_sfm/places/inverted_index.h"
 #include "rovio_sfm/places/word_likelihood.h"

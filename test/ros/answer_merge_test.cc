@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rovio_sfm/Status.h>
 
-#include "pipeline/two_drives.h"
+#include "merging/two_drives.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/map_frames.h"
 

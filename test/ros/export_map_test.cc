@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rovio_sfm/Status.h>
 
-#include "pipeline/small_map.h"
+#include "report/small_map.h"
 
 namespace rovio_sfm {
 namespace {

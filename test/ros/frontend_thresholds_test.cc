@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rovio_sfm/ros/load_options.h"
+#include "rovio_sfm/app/load_options.h"
 
 namespace rovio_sfm {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/small_map.h"
-#include "rovio_sfm/pipeline/level_map.h"
-#include "rovio_sfm/pipeline/level_session.h"
+#include "report/small_map.h"
+#include "rovio_sfm/report/level_map.h"
+#include "rovio_sfm/report/level_session.h"
 #include "rovio_sfm/ros/conversions.h"
 
 namespace rovio_sfm {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
-#include "pipeline/small_map.h"
+#include "report/small_map.h"
 
 namespace rovio_sfm {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/small_map.h"
+#include "report/small_map.h"
 
 namespace rovio_sfm {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include "sim/fake_robot.h"
+#include "sim/http/fake_robot.h"
 
 namespace rovio_sfm::sim {
 namespace {

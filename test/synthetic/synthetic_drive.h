@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rovio_sfm/pipeline/events.h"
+#include "rovio_sfm/scene/events.h"
 #include "rovio_sfm/scene/map_snapshot.h"
 #include "synthetic/synthetic_world.h"
 

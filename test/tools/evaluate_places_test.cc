@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "places/random_place_model.h"
-#include "rovio_sfm/pipeline/place_model_file.h"
+#include "rovio_sfm/app/place_model_file.h"
 #include "tools/command_line.h"
 #include "tools/place_folder.h"
 #include "util/temporary_folder.h"

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/small_snapshot.h"
-#include "rovio_sfm/pipeline/level_map.h"
+#include "report/small_snapshot.h"
+#include "rovio_sfm/report/level_map.h"
 
 namespace rovio_sfm {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/place_frames.h"
+#include "recognition/place_frames.h"
 #include "tools/place_folder.h"
 #include "util/temporary_folder.h"
 

@@ -1,8 +1,8 @@
 #include "rovio_sfm/tools/train_places.h"
 
-#include "pipeline/training_folder.h"
-#include "rovio_sfm/pipeline/place_model_file.h"
+#include "rovio_sfm/app/place_model_file.h"
 #include "tools/command_line.h"
+#include "tools/training_folder.h"
 
 namespace rovio_sfm {
 namespace {

@@ -3,7 +3,7 @@
 #include <rovio_sfm/MergeSessions.h>
 #include <rovio_sfm/UnmergeSession.h>
 
-#include "rovio_sfm/ros/mapping_engine.h"
+#include "rovio_sfm/app/mapping_engine.h"
 
 // What the services merge_sessions and unmerge_session do. Malformed requests, unknown sessions and
 // refusals are answered with the reason, and change nothing.

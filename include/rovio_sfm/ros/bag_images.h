@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "rovio_sfm/pipeline/events.h"
 #include "rovio_sfm/ros/robot_sensors.h"
+#include "rovio_sfm/scene/events.h"
 
 namespace rovio_sfm {
 

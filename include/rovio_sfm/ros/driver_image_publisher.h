@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "rovio_sfm/ros/driver_options.h"
+#include "rovio_sfm/app/driver_options.h"
 
 namespace rovio_sfm {
 

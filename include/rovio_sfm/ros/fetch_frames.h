@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "rovio_sfm/pipeline/events.h"
+#include "rovio_sfm/scene/events.h"
 
 namespace rovio_sfm {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "rovio_sfm/pipeline/events.h"
+#include "rovio_sfm/scene/events.h"
 
 namespace rovio_sfm {
 

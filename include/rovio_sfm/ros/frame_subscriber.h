@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "rovio_sfm/pipeline/events.h"
+#include "rovio_sfm/scene/events.h"
 
 namespace rovio_sfm {
 

@@ -12,11 +12,11 @@
 #include <optional>
 #include <string>
 
-#include "rovio_sfm/pipeline/frontend.h"
+#include "rovio_sfm/app/frontend_node_options.h"
+#include "rovio_sfm/app/image_gate.h"
+#include "rovio_sfm/frontend/frontend.h"
 #include "rovio_sfm/ros/event_history.h"
-#include "rovio_sfm/ros/frontend_node_options.h"
 #include "rovio_sfm/ros/frontend_thresholds.h"
-#include "rovio_sfm/ros/image_gate.h"
 #include "rovio_sfm/ros/robot_sensors.h"
 #include "rovio_sfm/util/mutex.h"
 #include "rovio_sfm/util/worker.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rovio_sfm/FrontendThresholdsConfig.h"
-#include "rovio_sfm/pipeline/frontend_options.h"
+#include "rovio_sfm/frontend/frontend_options.h"
 
 namespace rovio_sfm {
 

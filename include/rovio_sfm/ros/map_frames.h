@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rovio_sfm/ros/mapping_engine.h"
+#include "rovio_sfm/app/mapping_engine.h"
 
 // The tf frames of maps and sessions, and the poses in them; see report/level_session.h.
 namespace rovio_sfm {

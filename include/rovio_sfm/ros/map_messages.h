@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "rovio_sfm/pipeline/level_map.h"
-#include "rovio_sfm/ros/mapping_engine.h"
+#include "rovio_sfm/app/mapping_engine.h"
+#include "rovio_sfm/report/level_map.h"
 
 // What mapping shows of a snapshot. Lengths are metres where the map is metric, else map units.
 namespace rovio_sfm {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "rovio_sfm/app/mapping_engine.h"
 #include "rovio_sfm/ros/map_status_message.h"
-#include "rovio_sfm/ros/mapping_engine.h"
 
 namespace rovio_sfm {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "rovio_sfm/ros/mapping_engine.h"
+#include "rovio_sfm/app/mapping_engine.h"
 
 namespace rovio_sfm {
 

@@ -19,12 +19,12 @@
 #include <string>
 #include <vector>
 
+#include "rovio_sfm/app/mapping_engine.h"
+#include "rovio_sfm/app/mapping_node_options.h"
 #include "rovio_sfm/ros/event_history.h"
 #include "rovio_sfm/ros/frame_subscriber.h"
 #include "rovio_sfm/ros/job_worker.h"
 #include "rovio_sfm/ros/map_publisher.h"
-#include "rovio_sfm/ros/mapping_engine.h"
-#include "rovio_sfm/ros/mapping_node_options.h"
 
 namespace rovio_sfm {
 

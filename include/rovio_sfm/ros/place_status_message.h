@@ -2,7 +2,7 @@
 
 #include <rovio_sfm/PlaceStatus.h>
 
-#include "rovio_sfm/pipeline/place_recognizer.h"
+#include "rovio_sfm/recognition/place_recognizer.h"
 
 namespace rovio_sfm {
 

@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
-#include "rovio_sfm/pipeline/events.h"
-#include "rovio_sfm/ros/image_gate.h"
-#include "rovio_sfm/ros/odometry_buffer.h"
-#include "rovio_sfm/ros/sensor_options.h"
+#include "rovio_sfm/app/image_gate.h"
+#include "rovio_sfm/app/odometry_buffer.h"
+#include "rovio_sfm/app/sensor_options.h"
+#include "rovio_sfm/scene/events.h"
 
 namespace rovio_sfm {
 

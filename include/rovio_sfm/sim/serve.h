@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "rovio_sfm/sim/robot_backend.h"
-#include "rovio_sfm/sim/rovio_http_server.h"
+#include "rovio_sfm/sim/http/rovio_http_server.h"
+#include "rovio_sfm/sim/robot/robot_backend.h"
 
 namespace rovio_sfm::sim {
 

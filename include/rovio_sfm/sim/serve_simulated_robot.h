@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "rovio_sfm/sim/render_tour.h"
 #include "rovio_sfm/sim/serve.h"
+#include "rovio_sfm/sim/tour/render_tour.h"
 
 namespace rovio_sfm::sim {
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "rovio_sfm/pipeline/evaluation.h"
+#include "rovio_sfm/report/evaluation.h"
 
 namespace rovio_sfm {
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "rovio_sfm/frontend/frontend.h"
 #include "rovio_sfm/io/trajectory_file.h"
-#include "rovio_sfm/pipeline/frontend.h"
-#include "rovio_sfm/pipeline/mapper_report.h"
-#include "rovio_sfm/pipeline/matching_funnel.h"
-#include "rovio_sfm/pipeline/measure_odometry_delay.h"
+#include "rovio_sfm/mapping/mapper_report.h"
+#include "rovio_sfm/report/matching_funnel.h"
+#include "rovio_sfm/report/measure_odometry_delay.h"
 #include "rovio_sfm/scene/map_snapshot.h"
 #include "rovio_sfm/scene/merge_report.h"
 #include "rovio_sfm/util/stage_times.h"

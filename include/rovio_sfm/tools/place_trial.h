@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "rovio_sfm/pipeline/frontend_options.h"
-#include "rovio_sfm/pipeline/place_recognizer.h"
+#include "rovio_sfm/frontend/frontend_options.h"
+#include "rovio_sfm/recognition/place_recognizer.h"
 #include "rovio_sfm/tools/place_curve.h"
 #include "rovio_sfm/tools/place_truth.h"
 

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "rovio_sfm/app/offline_mapper.h"
+
+namespace CLI {
+class App;
+}
+
+namespace rovio_sfm {
+
+// Reads the command line into what was declared. The exit status if the program ends here: help was
+// asked for, or out now says what is wrong with the arguments.
+std::optional<int> ParseArguments(CLI::App* app, int argc, const char* const* argv,
+                                  std::ostream& out);
+
+// What every command that maps drives can be told.
+struct MappingArguments {
+  std::string out;              // folder for the results
+  std::string mode;             // every, parallax; empty: as the options say
+  std::optional<int> features;  // most of an image; none: as the options say
+  std::string places;           // place model; none: no merging; empty: the shipped one
+  bool overwrite = false;
+  OfflineMapperOptions mapper;
+};
+
+// The arguments must outlive the parsing.
+void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments);
+
+// Puts mode, features and seed into the options of the mapper. Throws std::runtime_error that names
+// an option out of its range.
+void CompleteMappingArguments(MappingArguments* arguments);
+
+// Makes the folder for the results. Throws std::runtime_error if it holds this file and overwrite
+// is false: cheap now, vexing after an hour's work.
+void PrepareResultFolder(const MappingArguments& arguments, const std::string& file);
+
+}  // namespace rovio_sfm

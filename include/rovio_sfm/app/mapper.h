@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "rovio_sfm/mapping/drive_mapper.h"
+#include "rovio_sfm/merging/map_merger.h"
+#include "rovio_sfm/merging/map_options.h"
+#include "rovio_sfm/scene/events.h"
+#include "rovio_sfm/scene/frame_store.h"
+#include "rovio_sfm/scene/map_snapshot.h"
+#include "rovio_sfm/util/stage_times.h"
+
+namespace rovio_sfm {
+
+// From frame events to maps (§3.7–3.8): every drive is mapped by itself, in sessions that follow
+// one another when tracking is lost. Thread-compatible: one owner calls it; the snapshots it hands
+// out are immutable and may go anywhere.
+class Mapper {
+ public:
+  // The store, the times (may be null) and the executor of global adjustments must outlive the
+  // mapper. Options must be valid.
+  Mapper(const MapOptions& options, FrameStore* store, Executor* executor,
+         StageTimes* times = nullptr);
+
+  // Takes the next event of its drive. An event that does not fit (index not increasing, camera of
+  // the drive changed) is refused, with the reason; the maps stay as they were.
+  MapperReport Add(const FrameEvent& event);
+
+  // Takes an overlap: joins the maps it touches, closes a loop, or waits for its frames (§4.3).
+  // MergeReports says what became of it.
+  void Add(const PlaceMatch& match);
+  // Maps a whole drive from the maps that its frames see (§4.3.2, Algorithm 2): seeded where the
+  // matches of its frames say, forward from there, then in reverse; where no match carries, from
+  // its own best pair. The drive is finished then.
+  void AddSeeded(const std::vector<FrameEvent>& events, const std::vector<PlaceMatch>& matches);
+  // By request; see MapMerger. The report says what was done, or why not.
+  MergeReport Merge(SessionId a, SessionId b, bool force);
+  MergeReport MergeAt(SessionId a, SessionId b, const Sim3& b_from_a);
+  std::vector<MergeReport> Unmerge(SessionId id);
+  // All overlaps judged so far.
+  std::vector<MergeReport> MergeReports() const { return merger_.Reports(); }
+  // Place matches that wait for their frames, poses or scale.
+  size_t num_matches_waiting() const { return merger_.num_waiting(); }
+  // Place matches ignored because their frames had been judged together before.
+  uint64_t num_matches_repeated() const { return merger_.num_repeated(); }
+
+  // Closes the drive's current session with its final adjustment; should the drive go on, its next
+  // frame opens another. False if the drive is unknown.
+  bool FinishSession(const DriveId& drive);
+  // The same for every drive.
+  void Finish();
+
+  std::shared_ptr<const MapSnapshot> Snapshot() const;
+  MapperCounters counters() const;
+
+ private:
+  SessionTable Sessions() const;
+  DriveMapper* DriveOf(SessionId id) const;
+  void Settle();
+  void TrySeed(const DriveId& drive);
+  void AdjustMaps();
+
+  MapOptions options_;
+  MapperContext context_;
+  MapMerger merger_;
+  uint32_t num_sessions_ = 0;
+  std::map<DriveId, std::unique_ptr<DriveMapper>> drives_;
+  mutable uint64_t version_ = 0;
+};
+
+}  // namespace rovio_sfm

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/app/mapper.h"
+#include "rovio_sfm/scene/memory_frame_store.h"
+#include "rovio_sfm/util/executor.h"
+#include "rovio_sfm/util/mutex.h"
+
+namespace rovio_sfm {
+
+// Where a robot's odometry touches the map: a registered frame and the odometry at it.
+struct OdometryAnchor {
+  SessionId session;
+  uint32_t index = 0;  // FrameId::index
+  std::optional<OdometrySample> odometry;
+};
+
+// What the world may see of the mapping, at one moment.
+struct MapPicture {
+  std::shared_ptr<const MapSnapshot> snapshot;
+  std::map<std::string, OdometryAnchor> anchors;  // by robot, of its newest registered frame
+  MapperCounters counters;
+  uint64_t num_events = 0;
+  std::vector<MergeReport> merges;  // by id
+  uint64_t num_place_matches = 0, num_matches_waiting = 0, num_matches_repeated = 0;
+};
+
+// The mapper of all robots with what it needs, and the rules of who may send: a robot's new drive
+// ends its last one, and events of an ended drive are refused (two frontends with one name). One
+// thread calls everything but Picture(), which is thread-safe.
+class MappingEngine {
+ public:
+  explicit MappingEngine(const MapOptions& options);
+
+  MapperReport Add(const FrameEvent& event);
+  // Takes an overlap; it waits until its frames are there. Merge reports say what became of it.
+  void Add(const PlaceMatch& match);
+  // By request, of known sessions that have frames; the report says what was done, or why not.
+  MergeReport Merge(SessionId a, SessionId b, bool force);
+  // b_from_a: session_<b>/map from session_<a>/map.
+  MergeReport MergeAt(SessionId a, SessionId b, const Sim3& b_from_a);
+  // Takes a session out of its map; returns what was undone, nothing if it was alone.
+  std::vector<MergeReport> Unmerge(SessionId id);
+
+  // The first index of the event's drive that is missing before it; its own index if none is.
+  uint32_t NextIndex(const FrameId& id) const;
+
+  // Closes the running session of a robot; false if none of its frames came yet.
+  bool FinishSession(const std::string& robot);
+  void Finish();
+  // Forgets all maps; drives that run go on in new sessions.
+  void Reset();
+
+  MapPicture Picture() const EXCLUDES(mutex_);
+
+ private:
+  // A mapper dies before what it borrows.
+  struct State {
+    explicit State(const MapOptions& options) : mapper(options, &store, &executor) {}
+    MemoryFrameStore store;
+    Executor executor{1};  // of global adjustments
+    Mapper mapper;
+  };
+
+  bool EnterDrive(const DriveId& drive, std::string* error);
+  void Show() EXCLUDES(mutex_);
+
+  MapOptions options_;
+  std::unique_ptr<State> state_;
+  std::map<std::string, DriveId> current_drives_;  // by robot
+  std::set<DriveId> ended_drives_;
+  std::map<DriveId, uint32_t> next_indices_;
+  std::map<std::string, OdometryAnchor> anchors_;
+  uint64_t num_events_ = 0, num_place_matches_ = 0;
+  mutable Mutex mutex_;
+  MapPicture picture_ GUARDED_BY(mutex_);
+};
+
+}  // namespace rovio_sfm

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <deque>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/app/mapper.h"
+#include "rovio_sfm/frontend/frontend.h"
+#include "rovio_sfm/recognition/place_recognizer.h"
+#include "rovio_sfm/report/matching_funnel.h"
+#include "rovio_sfm/scene/memory_frame_store.h"
+#include "rovio_sfm/util/executor.h"
+#include "rovio_sfm/util/stage_times.h"
+#include "rovio_sfm/util/worker.h"
+
+namespace rovio_sfm {
+
+struct OfflineMapperOptions {
+  FrontendOptions frontend;
+  MapOptions mapper;
+  PlaceRecognizerOptions places;
+  // Algorithms 1 to 3 of the thesis (§4.3), in their phases: the features of all drives, the places
+  // of all frames, then one session after the other, each seeded from those before.
+  bool seeded = false;
+  int num_threads = 2;  // 1: everything on the caller's thread; 1 to 64; never changes the result
+  uint64_t seed = 1;
+
+  bool IsValid(std::string* error) const;
+};
+
+// Maps drives one after the other, without a clock: images are prepared ahead on a pool, matched
+// and tracked on the caller's thread in order, and mapped on a thread of their own. The same
+// images, options and seed give the same maps, whatever the number of threads.
+class OfflineMapper {
+ public:
+  // Options must be valid. Without a place model drives are not merged, and loops not closed. times
+  // is borrowed, may be null and must outlive the mapper.
+  OfflineMapper(const OfflineMapperOptions& options, std::shared_ptr<const PlaceModel> place_model,
+                StageTimes* times);
+
+  // Ends the drive before, if there is one, and begins the next.
+  void StartDrive(const std::string& robot);
+  // The next image of the drive; waits where too many are under way.
+  void Add(ImageEvent image);
+  // Ends the last drive; its snapshot is final.
+  std::shared_ptr<const MapSnapshot> Finish();
+
+  // What became of the images of all drives so far; call after Finish.
+  const FrontendCounters& frontend_counters() const { return frontend_counters_; }
+  const MatchingFunnel& matching_funnel() const { return funnel_; }
+  MapperCounters mapper_counters() const { return mapper_.counters(); }
+  std::vector<MergeReport> merge_reports() const { return mapper_.MergeReports(); }
+
+ private:
+  void FinishDrive();
+  void TakeOldest();
+  void Map(const FrameEvent& event);
+  void MapSeeded();
+
+  OfflineMapperOptions options_;
+  StageTimes* times_;
+  MemoryFrameStore store_;
+  Executor adjust_executor_;   // of the mapper's global adjustment
+  Executor prepare_executor_;  // of the frontend's pure first half
+  Mapper mapper_;
+  std::optional<PlaceRecognizer> recognizer_;  // none without a place model
+  std::optional<Frontend> frontend_;
+  std::deque<std::future<PreparedImage>> prepared_;
+  std::unique_ptr<Worker<FrameEvent>> mapping_;  // null with one thread
+  std::vector<std::vector<FrameEvent>> drives_;  // only where drives are seeded
+  FrontendCounters frontend_counters_;
+  MatchingFunnel funnel_;
+  uint32_t next_nonce_ = 0;
+};
+
+}  // namespace rovio_sfm

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "rovio_sfm/mapping/adjust_session.h"
+#include "rovio_sfm/mapping/bootstrap.h"
+#include "rovio_sfm/mapping/mapper_options.h"
+#include "rovio_sfm/mapping/mapper_report.h"
+#include "rovio_sfm/mapping/register_frame.h"
+#include "rovio_sfm/mapping/session_table.h"
+#include "rovio_sfm/scene/events.h"
+#include "rovio_sfm/scene/frame_store.h"
+#include "rovio_sfm/scene/place_match.h"
+#include "rovio_sfm/scene/session.h"
+#include "rovio_sfm/util/executor.h"
+#include "rovio_sfm/util/stage_times.h"
+
+namespace rovio_sfm {
+
+// What the mappers of all drives share; everything outlives them.
+struct MapperContext {
+  MapperOptions options;
+  FrameStore* store = nullptr;
+  Executor* executor = nullptr;  // of the global adjustment
+  StageTimes* times = nullptr;   // may be null
+  std::function<SessionId()> new_session_id;
+  std::function<void(Session*)> on_session_closed;  // once it is adjusted finally
+};
+
+// Maps one drive: its sessions, one after the other. Thread-compatible.
+class DriveMapper {
+ public:
+  DriveMapper(const MapperContext& context, DriveId drive, Camera camera);
+
+  MapperReport Add(const FrameEvent& event);
+  // Closes the current session with its final adjustment; the next frame opens another.
+  void Finish();
+
+  // Tries to start the current session from the map that its held frames see (§4.3.2); false if it
+  // runs already, or cannot.
+  bool Seed(const std::vector<PlaceMatch>& matches, const SessionTable& sessions);
+  // Holds all events of a drive that has none yet, for Seed; those refused are counted.
+  void HoldAll(const std::vector<FrameEvent>& events);
+  // True while frames wait for the current session to start, and there are this many.
+  bool HoldsFrames(int min_count) const;
+  // The session was changed from outside (merged, undone): what was computed from it is forgotten.
+  void OnSessionChanged(SessionId id);
+
+  const std::vector<std::unique_ptr<Session>>& sessions() const { return sessions_; }
+  const MapperCounters& counters() const { return counters_; }
+  const Camera& camera() const { return camera_; }
+
+ private:
+  struct WeakFrame {
+    FrameEvent event;
+    int num_tries = 0;
+  };
+
+  Session& current() { return *sessions_.back(); }
+
+  std::optional<std::string> Refuse(const FrameEvent& event);
+  void Hold(const FrameEvent& event, MapperReport* report);
+  bool Start(const BootstrapPair& pair);
+  void EnterMap(uint32_t first_index);
+  void InsertHeld(const FrameEvent& event);
+  void AddKeyframe(const FrameEvent& event, MapperReport* report);
+  std::optional<Registration> Resect(const FrameEvent& event, MapperReport* report);
+  void GrowMap(uint32_t frame, MapperReport* report);
+  void AddWeak(const FrameEvent& event, MapperReport* report);
+  void RetryWeakFrames(int max_tries);
+  void DropKeyframe(uint32_t index);
+  void LoseSession(MapperReport* report);
+  void AddLight(const FrameEvent& event, MapperReport* report);
+  void PoseWaitingLightFrames();
+  void OpenSession();
+  void CloseSession(SessionState state);
+
+  MapperContext context_;
+  DriveId drive_;
+  Camera camera_;
+  std::vector<std::unique_ptr<Session>> sessions_;  // the last one is current
+  GlobalAdjustment global_;
+  std::deque<FrameEvent> held_;  // keyframes before the session starts
+  int num_waited_ = 0;           // keyframes since the first pair that would do
+  std::vector<WeakFrame> weak_;  // keyframes of the current session that may yet be resected
+  int num_weak_in_row_ = 0;      // of the newest keyframes
+  std::vector<TrackLink> pending_links_;
+  std::map<uint32_t, LightFrame> unposed_;  // light frames of the current session without a pose
+  std::optional<Rigid3> last_pose_;         // cam_from_session of the last posed frame
+  std::optional<uint32_t> next_index_;
+  MapperCounters counters_;
+};
+
+}  // namespace rovio_sfm

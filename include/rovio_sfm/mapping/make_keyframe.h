@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "rovio_sfm/mapping/mapper_options.h"
+#include "rovio_sfm/scene/events.h"
+#include "rovio_sfm/scene/session.h"
+
+namespace rovio_sfm {
+
+// The standard deviation of a feature's position in normalised units: the pixel's sigma, growing
+// with the feature's size.
+double FeatureSigma(const Keypoint& keypoint, const Camera& camera, const MapperOptions& options);
+
+// A keyframe for the session from an event, not weak, with the pose given.
+Keyframe MakeKeyframe(const FrameEvent& event, const Rigid3& cam_from_session,
+                      const MapperOptions& options);
+
+// A light frame without a pose yet: what it saw, of tracks only.
+LightFrame MakeLightFrame(const FrameEvent& event);
+
+}  // namespace rovio_sfm

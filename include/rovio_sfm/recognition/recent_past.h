@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/scene/events.h"
+
+namespace rovio_sfm {
+
+// What a keyframe may not be matched with in its own drive.
+struct RecentPastOptions {
+  int min_keyframes = 20;     // the newest keyframes of the drive; 1 to 10000
+  int min_shared_tracks = 5;  // and those back to where so many of its tracks began; 1 to 1000
+
+  bool IsValid(std::string* error) const;
+};
+
+// The recent past of a drive: never time, the robot may stand. It does not reach back over a break,
+// a keyframe that shares no tracks with any before it: what was lost there is to be found again.
+// Thread-compatible; memory is bounded.
+class RecentPast {
+ public:
+  explicit RecentPast(const RecentPastOptions& options) : options_(options) {}
+
+  // Takes in the drive's next keyframe. Returns how many of the keyframes before it, counted from
+  // the drive's first, do not belong to its recent past.
+  size_t Add(const std::vector<TrackId>& tracks, const std::vector<TrackLink>& links);
+
+ private:
+  struct Span {
+    size_t first = 0, last = 0;  // keyframes that showed the track, counted from 0
+  };
+
+  void Join(const TrackLink& link);
+  size_t BeginningOf(const std::vector<TrackId>& tracks) const;
+  void Show(const std::vector<TrackId>& tracks);
+
+  RecentPastOptions options_;
+  std::map<TrackId, Span> spans_;  // of the tracks seen lately
+  size_t num_keyframes_ = 0;
+  size_t chain_begin_ = 0;  // the keyframe after the last break
+};
+
+}  // namespace rovio_sfm

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/geometry/camera.h"
+#include "rovio_sfm/matching/match_pair.h"
+#include "rovio_sfm/scene/frame.h"
+#include "rovio_sfm/scene/ids.h"
+#include "rovio_sfm/scene/place_match.h"
+
+namespace rovio_sfm {
+
+// When appearance and geometry together say that two frames show one place.
+struct VerifyPlaceOptions {
+  // Stricter than between neighbouring frames: ratio 0.8 and 20 inliers refused every foreign room.
+  PairOptions pair = DefaultPair();
+  int min_cells = 4;  // of 4 x 4 in each image that hold an inlier; 1 to 16
+  // Frames on each side of the matched one that recursive matching tries (§4.3.1); 0 to 50
+  int max_neighbors = 2;
+
+  static PairOptions DefaultPair();
+  bool IsValid(std::string* error) const;
+};
+
+// A keyframe with what its verification needs.
+struct PlaceFrame {
+  FrameId id;
+  std::shared_ptr<const FrameFeatures> features;  // never null
+  Camera camera;
+};
+
+enum class PlaceRefusal : uint8_t { kNone = 0, kGeometry = 1, kSpread = 2 };
+
+// The pair is meaningful where the refusal is kNone.
+struct PlaceVerification {
+  PlaceRefusal refusal = PlaceRefusal::kGeometry;
+  OverlapPair pair;
+};
+
+// Looks a frame up by its id; nothing where its features are out of reach.
+using FindPlaceFrame = std::function<std::optional<PlaceFrame>(const FrameId&)>;
+
+// Matches a candidate with the query: descriptors, ratio, RANSAC on the essential matrix, spread.
+// Randomness depends on the seed and the two ids alone.
+PlaceVerification VerifyPlace(const PlaceFrame& candidate, const PlaceFrame& query,
+                              const VerifyPlaceOptions& options, uint64_t seed);
+
+// Recursive matching around an overlap (§4.3.1): walks from the matched frame in one direction,
+// nearest first, until a pair fails, a frame is out of reach or max_neighbors were tried.
+std::vector<OverlapPair> MatchAround(const std::vector<FrameId>& neighbors, const PlaceFrame& query,
+                                     const FindPlaceFrame& find, const VerifyPlaceOptions& options,
+                                     uint64_t seed);
+
+}  // namespace rovio_sfm

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rovio_sfm/sim/robot/omni_wheels.h"
+#include "rovio_sfm/sim/tour/tour.h"
+#include "rovio_sfm/sim/world/render_image.h"
+
+namespace rovio_sfm::sim {
+
+// One picture of a tour, before it is rendered.
+struct TourFrame {
+  double time_s = 0.0;
+  CameraMotion motion;                // over the exposure: the robot stands but still sways
+  Rigid3 world_from_camera;           // the true pose, at mid exposure
+  double exposure = 1.0;              // gain on the light
+  Eigen::Vector3d odometry{0, 0, 0};  // odom_from_base: x m, y m, yaw rad
+  Eigen::Matrix3d odometry_covariance = Eigen::Matrix3d::Zero();
+};
+
+struct SimulatedTour {
+  Rigid3 base_from_camera;  // nominal, as the robot knows it
+  std::vector<TourFrame> frames;
+};
+
+// Poses, exposure and odometry of every picture. The odometry (slip, lost ticks) draws from a
+// generator of its own, so that it never changes the pictures.
+SimulatedTour SimulateTour(const TourSpec& tour, const SlipOptions& slip, uint64_t seed);
+
+}  // namespace rovio_sfm::sim

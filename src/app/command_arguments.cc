@@ -1,0 +1,58 @@
+#include "rovio_sfm/app/command_arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <stdexcept>
+
+namespace rovio_sfm {
+
+std::optional<int> ParseArguments(CLI::App* app, int argc, const char* const* argv,
+                                  std::ostream& out) {
+  try {
+    app->parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app->exit(error, out, out);
+  }
+  return std::nullopt;
+}
+
+void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
+  app->add_option("--out", arguments->out, "folder for the results")->required();
+  app->add_option("--mode", arguments->mode, "every: stills; parallax: video")
+      ->check(CLI::IsMember({"every", "parallax"}));
+  app->add_option("--features", arguments->features, "most features of an image");
+  app->add_option("--threads", arguments->mapper.num_threads, "never changes the result");
+  app->add_option("--seed", arguments->mapper.seed, "of everything random");
+  app->add_option("--places", arguments->places,
+                  "place model for merging and loops; none: without; else the shipped one");
+  app->add_option("--max-overlaps", arguments->mapper.mapper.merge.max_overlaps,
+                  "overlaps used of two drives; 0: all");
+  app->add_flag("!--no-pose-graph", arguments->mapper.mapper.merge.use_pose_graph,
+                "close loops by adjustment alone");
+  app->add_flag(
+      "--seeded", arguments->mapper.seeded,
+      "the thesis's Algorithms 1 to 3: places of all drives first, then each from the last");
+  app->add_flag("--planar-motion", arguments->mapper.mapper.adjust.planar_motion,
+                "the robots drive on one flat floor");
+  app->add_flag("--overwrite", arguments->overwrite, "replace the results of an earlier run");
+}
+
+void CompleteMappingArguments(MappingArguments* arguments) {
+  FrontendOptions& frontend = arguments->mapper.frontend;
+  if (arguments->mode == "every") frontend.choose.mode = KeyframeMode::kEvery;
+  if (arguments->mode == "parallax") frontend.choose.mode = KeyframeMode::kParallax;
+  if (arguments->features) frontend.extract.max_features = *arguments->features;
+  arguments->mapper.mapper.seed = arguments->mapper.seed;
+  std::string error;
+  if (!arguments->mapper.IsValid(&error)) throw std::runtime_error(error);
+}
+
+void PrepareResultFolder(const MappingArguments& arguments, const std::string& file) {
+  const std::filesystem::path path = std::filesystem::path(arguments.out) / file;
+  if (!arguments.overwrite && std::filesystem::exists(path)) {
+    throw std::runtime_error(path.string() + " exists; give --overwrite to replace it");
+  }
+  std::filesystem::create_directories(arguments.out);
+}
+
+}  // namespace rovio_sfm

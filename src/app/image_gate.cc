@@ -1,0 +1,45 @@
+#include "rovio_sfm/app/image_gate.h"
+
+#include <utility>
+
+#include "rovio_sfm/util/option_checker.h"
+
+namespace rovio_sfm {
+
+bool GateOptions::IsValid(std::string* error) const {
+  OptionChecker checker("gate", error);
+  checker.Range("max_wait_s", max_wait_s, 0.0, 10.0);
+  checker.Range("startup_wait_s", startup_wait_s, 0.0, 60.0);
+  return checker.Passed();
+}
+
+void ImageGate::Add(RawImage image, double now_s) {
+  if (!first_s_) first_s_ = now_s;
+  if (waiting_.size() == kCapacity) {
+    waiting_.pop_front();
+    ++num_dropped_;
+  }
+  waiting_.push_back({std::move(image), now_s});
+}
+
+std::optional<ImageEvent> ImageGate::Take(double now_s) {
+  if (waiting_.empty() || !robot_->HasCamera() || !IsReady(waiting_.front(), now_s)) {
+    return std::nullopt;
+  }
+  RawImage image = std::move(waiting_.front().image);
+  waiting_.pop_front();
+  return robot_->MakeEvent(image);
+}
+
+bool ImageGate::IsReady(const Entry& entry, double now_s) {
+  const bool is_starting = now_s - *first_s_ < options_.startup_wait_s;
+  if (!is_starting && now_s - entry.arrived_s >= options_.max_wait_s) return true;
+  const bool knows_head = robot_->KnowsHead(entry.image);
+  has_seen_head_ = has_seen_head_ || knows_head;
+  const bool expects_head = !knows_head && (has_seen_head_ || is_starting);
+  const bool expects_odometry =
+      !robot_->OdometryCovers(entry.image) && (robot_->HasOdometry() || is_starting);
+  return !expects_head && !expects_odometry;
+}
+
+}  // namespace rovio_sfm

@@ -1,0 +1,126 @@
+#include "rovio_sfm/app/offline_mapper.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "rovio_sfm/util/option_checker.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr size_t kMappingQueue = 4;       // events; the frontend waits where mapping is behind
+constexpr size_t kPreparedPerThread = 4;  // images ahead of the frontend
+
+void Add(const FrontendCounters& more, FrontendCounters* sum) {
+  sum->images += more.images;
+  sum->refused += more.refused;
+  sum->spoilt += more.spoilt;
+  sum->featureless += more.featureless;
+  sum->untracked += more.untracked;
+  sum->keyframes += more.keyframes;
+  sum->light_frames += more.light_frames;
+  sum->drives += more.drives;
+  sum->links += more.links;
+}
+
+}  // namespace
+
+bool OfflineMapperOptions::IsValid(std::string* error) const {
+  OptionChecker checker("offline_mapper", error);
+  checker.Nested(frontend);
+  checker.Nested(mapper);
+  checker.Nested(places);
+  checker.Range("num_threads", num_threads, 1, 64);
+  return checker.Passed();
+}
+
+OfflineMapper::OfflineMapper(const OfflineMapperOptions& options,
+                             std::shared_ptr<const PlaceModel> place_model, StageTimes* times)
+    : options_(options),
+      times_(times),
+      adjust_executor_(options.num_threads > 1 ? 1 : 0),
+      prepare_executor_(options.num_threads - 1),
+      mapper_(options.mapper, &store_, &adjust_executor_, times) {
+  if (place_model) recognizer_.emplace(options.places, std::move(place_model), &store_, times);
+  if (options.num_threads == 1) return;
+  mapping_ = std::make_unique<Worker<FrameEvent>>(kMappingQueue, WhenFull::kBlock,
+                                                  [this](const FrameEvent& event) { Map(event); });
+}
+
+void OfflineMapper::StartDrive(const std::string& robot) {
+  FinishDrive();
+  frontend_.emplace(options_.frontend, robot, options_.seed, next_nonce_++, times_);
+}
+
+void OfflineMapper::Add(ImageEvent image) {
+  ROVIO_CHECK(frontend_.has_value(), "StartDrive comes before Add");
+  const size_t max_ahead = kPreparedPerThread * static_cast<size_t>(options_.num_threads - 1);
+  prepared_.push_back(prepare_executor_.Submit(
+      [image = std::move(image), &options = options_.frontend, times = times_] {
+        const auto scope = MeasureStage(times, "prepare");
+        return PrepareImage(image, options);
+      }));
+  while (prepared_.size() > max_ahead) TakeOldest();
+}
+
+void OfflineMapper::TakeOldest() {
+  const PreparedImage image = prepared_.front().get();
+  prepared_.pop_front();
+  std::optional<FrameEvent> event = frontend_->Add(image);
+  if (!event) return;
+  AddToFunnel(*event, &funnel_);
+  if (mapping_) {
+    mapping_->Push(std::move(*event));
+  } else {
+    Map(*event);
+  }
+}
+
+void OfflineMapper::Map(const FrameEvent& event) {
+  if (options_.seeded) {
+    const bool is_new = drives_.empty() || drives_.back().front().id.drive != event.id.drive;
+    if (is_new) drives_.emplace_back();
+    drives_.back().push_back(event);
+    return;
+  }
+  mapper_.Add(event);
+  if (!recognizer_) return;
+  for (const PlaceMatch& match : recognizer_->Add(event)) mapper_.Add(match);
+}
+
+// A match's query is the later frame: by query, the thesis's table T is inverted.
+void OfflineMapper::MapSeeded() {
+  std::vector<std::vector<PlaceMatch>> matches(drives_.size());
+  for (size_t i = 0; i < drives_.size() && recognizer_; ++i) {
+    for (const FrameEvent& event : drives_[i]) {
+      if (event.kind == FrameKind::kKeyframe) store_.Put(event.id, event.features);
+      for (PlaceMatch& match : recognizer_->Add(event)) matches[i].push_back(std::move(match));
+    }
+  }
+  for (size_t i = 0; i < drives_.size(); ++i) {
+    if (i > 0) {
+      mapper_.AddSeeded(drives_[i], matches[i]);
+      continue;
+    }
+    for (const FrameEvent& event : drives_[i]) mapper_.Add(event);
+    for (const PlaceMatch& match : matches[i]) mapper_.Add(match);
+    mapper_.FinishSession(drives_[i].front().id.drive);
+  }
+}
+
+void OfflineMapper::FinishDrive() {
+  if (!frontend_) return;
+  while (!prepared_.empty()) TakeOldest();
+  rovio_sfm::Add(frontend_->counters(), &frontend_counters_);
+  frontend_.reset();
+}
+
+std::shared_ptr<const MapSnapshot> OfflineMapper::Finish() {
+  FinishDrive();
+  if (mapping_) mapping_->Finish();
+  if (options_.seeded) MapSeeded();
+  mapper_.Finish();
+  return mapper_.Snapshot();
+}
+
+}  // namespace rovio_sfm

@@ -1,0 +1,132 @@
+#include "rovio_sfm/mapping/adjust_session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "rovio_sfm/mapping/stage_options.h"
+#include "rovio_sfm/sfm/adjust_by_window.h"
+#include "rovio_sfm/sfm/triangulate_tracks.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr uint32_t kMinShared = 15;     // landmarks that make a neighbour worth adjusting
+constexpr size_t kMaxFixedFrames = 30;  // of a local adjustment
+constexpr size_t kMinGlobalFrames = 6;  // smaller maps are covered by local adjustments
+constexpr int kFinalRounds = 5;
+constexpr double kLocalTolerance = 1e-4;  // the next frame's adjustment goes on where this one ends
+constexpr double kSettledShare = 0.0005;  // of the observations that changed in a round
+
+BundleOptions LocalBundleOptions(const MapperOptions& options, const Session& session) {
+  return {options.adjust.local_max_iterations, options.adjust.loss_px / options.pixel_sigma_px,
+          kLocalTolerance, PlanarMotionOf(options.adjust, session.scale())};
+}
+
+size_t NumObservations(const Session& session) {
+  size_t count = 0;
+  for (const auto& [id, landmark] : session.landmarks()) count += landmark.observations.size();
+  return count;
+}
+
+uint32_t CompleteAll(const MapperOptions& options, Session* session) {
+  const TriangulateTracksOptions triangulate = TriangulateOptionsOf(options);
+  uint32_t num_changed = 0;
+  for (const auto& [index, frame] : session->keyframes()) {
+    const TriangulateReport report = TriangulateTracks(index, triangulate, session);
+    num_changed += 2 * report.num_created + report.num_completed;
+  }
+  return num_changed;
+}
+
+// Of a whole session. False: nothing was changed.
+bool Adjust(BundleOptions bundle_options, const AdjustOptions& options,
+            const std::optional<MapScale>& scale, SessionBundle* bundle) {
+  bundle_options.planar_motion = PlanarMotionOf(options, scale);
+  const auto max_frames = static_cast<size_t>(options.max_global_frames);
+  return AdjustByWindow(&bundle->problem, bundle_options, max_frames).usable;
+}
+
+PruneLandmarksOptions FinalPrune(const MapperOptions& options, const Session& session) {
+  PruneLandmarksOptions prune = PruneOptionsOf(options);
+  const double spread = ResidualSpread(session);
+  prune.max_error_sigmas =
+      std::min(prune.max_error_sigmas, options.prune.final_error_sigmas * std::sqrt(2.0) * spread);
+  return prune;
+}
+
+}  // namespace
+
+PruneReport AdjustLocally(uint32_t frame, const MapperOptions& options, Session* session) {
+  const auto max_free = static_cast<size_t>(options.adjust.local_frames);
+  SessionBundle bundle = MakeLocalBundle(
+      *session, CovisibleFrames(*session, frame, max_free, kMinShared), kMaxFixedFrames);
+  if (AdjustBundle(&bundle.problem, LocalBundleOptions(options, *session)).usable) {
+    ApplyBundle(bundle, false, session);
+  }
+  return PruneLandmarks(bundle.tracks, PruneOptionsOf(options), session);
+}
+
+PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
+  const int max_iterations = options.adjust.global_max_iterations;
+  const double loss_sigmas = options.adjust.loss_px / options.pixel_sigma_px;
+  PruneReport total;
+  for (int round = 0; round < kFinalRounds; ++round) {
+    uint32_t num_changed = CompleteAll(options, session);
+    SessionBundle bundle = MakeGlobalBundle(*session);
+    if (!Adjust({max_iterations, loss_sigmas}, options.adjust, session->scale(), &bundle)) {
+      return total;
+    }
+    ApplyBundle(bundle, true, session);
+    const PruneReport pruned = PruneAllLandmarks(FinalPrune(options, *session), session);
+    total.num_observations += pruned.num_observations;
+    total.num_landmarks += pruned.num_landmarks;
+    num_changed += pruned.num_observations;
+    if (num_changed < kSettledShare * static_cast<double>(NumObservations(*session))) break;
+  }
+  SessionBundle bundle = MakeGlobalBundle(*session);
+  if (Adjust({max_iterations, 0.0}, options.adjust, session->scale(), &bundle)) {
+    ApplyBundle(bundle, true, session);
+  }
+  return total;
+}
+
+GlobalAdjustment::GlobalAdjustment(const MapperOptions& options, Executor* executor)
+    : options_(options.adjust),
+      loss_sigmas_(options.adjust.loss_px / options.pixel_sigma_px),
+      executor_(executor) {}
+
+void GlobalAdjustment::MaybeStart(const Session& session) {
+  const size_t num_frames = session.keyframes().size();
+  const size_t num_landmarks = session.landmarks().size();
+  const double growth = 1.0 + options_.global_growth;
+  const bool grown =
+      static_cast<double>(num_frames) > growth * static_cast<double>(num_frames_at_last_) ||
+      static_cast<double>(num_landmarks) > growth * static_cast<double>(num_landmarks_at_last_);
+  if (running_ || num_frames < kMinGlobalFrames || !grown) return;
+  num_frames_at_last_ = num_frames;
+  num_landmarks_at_last_ = num_landmarks;
+  const BundleOptions bundle_options{options_.local_max_iterations, loss_sigmas_};
+  running_.emplace();
+  running_->result = executor_->Submit([bundle = MakeGlobalBundle(session), bundle_options,
+                                        options = options_, scale = session.scale()]() mutable {
+    if (!Adjust(bundle_options, options, scale, &bundle)) bundle = {};
+    return std::move(bundle);
+  });
+}
+
+bool GlobalAdjustment::Advance(Session* session) {
+  if (!running_ || ++running_->num_keyframes_since < options_.global_delay) return false;
+  const SessionBundle bundle = running_->result.get();
+  running_.reset();
+  if (bundle.frames.empty()) return false;
+  ApplyBundle(bundle, true, session);
+  return true;
+}
+
+void GlobalAdjustment::Abandon() {
+  if (running_) running_->result.wait();
+  running_.reset();
+}
+
+}  // namespace rovio_sfm

@@ -1,0 +1,298 @@
+#include "rovio_sfm/mapping/drive_mapper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "rovio_sfm/mapping/link_tracks.h"
+#include "rovio_sfm/mapping/make_keyframe.h"
+#include "rovio_sfm/mapping/register_frame.h"
+#include "rovio_sfm/mapping/search_landmarks.h"
+#include "rovio_sfm/mapping/seed_session.h"
+#include "rovio_sfm/mapping/stage_options.h"
+#include "rovio_sfm/mapping/start_session.h"
+#include "rovio_sfm/mapping/update_scale.h"
+#include "rovio_sfm/mapping/weak_pose.h"
+#include "rovio_sfm/sfm/triangulate_tracks.h"
+
+namespace rovio_sfm {
+namespace {
+
+double Radians(double degrees) { return degrees * M_PI / 180.0; }
+
+}  // namespace
+
+DriveMapper::DriveMapper(const MapperContext& context, DriveId drive, Camera camera)
+    : context_(context),
+      drive_(std::move(drive)),
+      camera_(camera),
+      global_(context.options, context.executor) {
+  OpenSession();
+}
+
+MapperReport DriveMapper::Add(const FrameEvent& event) {
+  MapperReport report;
+  const auto reason = Refuse(event);
+  if (!reason && current().state() == SessionState::kFinished) OpenSession();
+  if (reason) {
+    ++counters_.refused_events;
+    report.outcome = MapperOutcome::kRefused;
+    report.reason = *reason;
+  } else if (event.kind == FrameKind::kLight) {
+    AddLight(event, &report);
+  } else {
+    context_.store->Put(event.id, event.features);
+    pending_links_.insert(pending_links_.end(), event.links.begin(), event.links.end());
+    if (current().state() == SessionState::kBootstrapping) {
+      Hold(event, &report);
+    } else {
+      AddKeyframe(event, &report);
+    }
+  }
+  report.session = current().id();
+  return report;
+}
+
+std::optional<std::string> DriveMapper::Refuse(const FrameEvent& event) {
+  if (!(event.camera == camera_)) return "camera: expected that of the drive's first frame";
+  if (next_index_ && event.id.index < *next_index_) {
+    return "index " + std::to_string(event.id.index) + ": expected " +
+           std::to_string(*next_index_) + " or more";
+  }
+  counters_.missing_events += next_index_ ? event.id.index - *next_index_ : 0;
+  next_index_ = event.id.index + 1;
+  return std::nullopt;
+}
+
+void DriveMapper::Hold(const FrameEvent& event, MapperReport* report) {
+  const auto scope = MeasureStage(context_.times, "bootstrap");
+  LinkTracks(context_.options.f2, &pending_links_, &current());
+  held_.push_back(event);
+  if (held_.size() > static_cast<size_t>(context_.options.bootstrap.max_held_frames)) {
+    held_.pop_front();
+  }
+  BootstrapOptions bootstrap = context_.options.bootstrap;
+  if (held_.size() >= static_cast<size_t>(bootstrap.hurry_after)) {
+    bootstrap.min_angle_deg = bootstrap.hurried_angle_deg;
+  }
+  const auto pair = FindBootstrapPair(held_, current(), bootstrap, context_.options.seed);
+  if (!pair) return;
+  const double wished = Radians(context_.options.bootstrap.wished_angle_deg);
+  const bool waits =
+      pair->angle_rad < wished && ++num_waited_ < context_.options.bootstrap.patience;
+  if (!waits && Start(*pair)) report->outcome = MapperOutcome::kKeyframe;
+}
+
+bool DriveMapper::Start(const BootstrapPair& pair) {
+  const uint32_t first = held_[pair.first].id.index;
+  if (!StartSession(pair, held_, context_.options, &current())) return false;
+  EnterMap(first);
+  return true;
+}
+
+bool DriveMapper::Seed(const std::vector<PlaceMatch>& matches, const SessionTable& sessions) {
+  if (current().state() != SessionState::kBootstrapping) return false;
+  if (!SeedSession(held_, matches, sessions, context_.options, &current())) return false;
+  EnterMap(current().keyframes().begin()->first);
+  return true;
+}
+
+// The session has its first frames: the other held ones follow, forward from the first, then back.
+void DriveMapper::EnterMap(uint32_t first_index) {
+  current().set_state(SessionState::kMapping);
+  counters_.keyframes += current().keyframes().size();
+  const std::deque<FrameEvent> held = std::exchange(held_, {});
+  for (const FrameEvent& event : held) {
+    if (event.id.index > first_index) InsertHeld(event);
+  }
+  for (auto event = held.rbegin(); event != held.rend(); ++event) {
+    if (event->id.index < first_index) InsertHeld(*event);
+  }
+  AdjustFinally(context_.options, &current());
+  last_pose_ = current().keyframes().rbegin()->second.cam_from_session;
+  PoseWaitingLightFrames();
+}
+
+void DriveMapper::HoldAll(const std::vector<FrameEvent>& events) {
+  MapperReport unused;
+  for (const FrameEvent& event : events) {
+    if (Refuse(event)) {
+      ++counters_.refused_events;
+    } else if (event.kind == FrameKind::kLight) {
+      AddLight(event, &unused);
+    } else {
+      context_.store->Put(event.id, event.features);
+      pending_links_.insert(pending_links_.end(), event.links.begin(), event.links.end());
+      held_.push_back(event);
+    }
+  }
+  LinkTracks(context_.options.f2, &pending_links_, &current());
+}
+
+bool DriveMapper::HoldsFrames(int min_count) const {
+  return sessions_.back()->state() == SessionState::kBootstrapping &&
+         held_.size() >= static_cast<size_t>(min_count);
+}
+
+void DriveMapper::OnSessionChanged(SessionId id) {
+  if (!(current().id() == id) || current().keyframes().empty()) return;
+  global_.Abandon();
+  if (last_pose_) last_pose_ = current().keyframes().rbegin()->second.cam_from_session;
+}
+
+void DriveMapper::InsertHeld(const FrameEvent& event) {
+  if (current().keyframes().count(event.id.index) != 0) return;
+  const auto registration = RegisterKeyframe(event, context_.options, current());
+  if (!registration) return;
+  current().AddKeyframe(event.id.index,
+                        MakeKeyframe(event, registration->cam_from_session, context_.options));
+  MapperReport unused;
+  GrowMap(event.id.index, &unused);
+}
+
+void DriveMapper::AddKeyframe(const FrameEvent& event, MapperReport* report) {
+  if (global_.Advance(&current())) ++counters_.global_adjustments;
+  LinkTracks(context_.options.f2, &pending_links_, &current());
+  const auto registration = Resect(event, report);
+  if (!registration) return AddWeak(event, report);
+  report->outcome = MapperOutcome::kKeyframe;
+  current().AddKeyframe(event.id.index,
+                        MakeKeyframe(event, registration->cam_from_session, context_.options));
+  GrowMap(event.id.index, report);
+  RetryWeakFrames(context_.options.max_weak_tries);
+  last_pose_ = current().keyframe(event.id.index).cam_from_session;
+  UpdateScale(context_.options.scale, false, &current());
+  global_.MaybeStart(current());
+}
+
+std::optional<Registration> DriveMapper::Resect(const FrameEvent& event, MapperReport* report) {
+  const auto scope = MeasureStage(context_.times, "resect");
+  const auto registration = RegisterKeyframe(event, context_.options, current());
+  if (!registration) return std::nullopt;
+  report->num_matches = registration->num_matches;
+  report->num_inliers = registration->num_inliers;
+  return registration;
+}
+
+void DriveMapper::GrowMap(uint32_t frame, MapperReport* report) {
+  ++counters_.keyframes;
+  const MapperOptions& options = context_.options;
+  const TriangulateTracksOptions triangulate = TriangulateOptionsOf(options);
+  {
+    const auto scope = MeasureStage(context_.times, "search");
+    CompleteLandmarks(frame, triangulate.max_error_sigmas, &current());
+    SearchLandmarksOptions search;
+    search.max_error_sigmas = options.prune.max_error_px / options.pixel_sigma_px;
+    search.f2 = options.f2;
+    const SearchReport found = SearchLandmarks(frame, search, *context_.store, &current());
+    report->num_found = found.num_added;
+    report->num_united = found.num_united;
+  }
+  {
+    const auto scope = MeasureStage(context_.times, "triangulate");
+    report->num_created = TriangulateTracks(frame, triangulate, &current()).num_created;
+  }
+  const auto scope = MeasureStage(context_.times, "adjust_locally");
+  report->num_pruned = AdjustLocally(frame, options, &current()).num_observations;
+}
+
+void DriveMapper::AddWeak(const FrameEvent& event, MapperReport* report) {
+  ++counters_.weak_frames;
+  weak_.push_back({event});
+  const auto pose = PredictWeakPose(event, current());
+  if (++num_weak_in_row_ > context_.options.max_weak_frames || !pose) return LoseSession(report);
+  Keyframe frame = MakeKeyframe(event, *pose, context_.options);
+  frame.weak = true;
+  current().AddKeyframe(event.id.index, std::move(frame));
+  report->outcome = MapperOutcome::kWeak;
+}
+
+// After a keyframe that is not weak: those that stay weak after max_tries of them are dropped.
+void DriveMapper::RetryWeakFrames(int max_tries) {
+  num_weak_in_row_ = 0;
+  for (WeakFrame& weak : std::exchange(weak_, {})) {
+    const uint32_t index = weak.event.id.index;
+    if (ResectWeakFrame(index, context_.options, &current())) {
+      MapperReport unused;
+      GrowMap(index, &unused);
+    } else if (++weak.num_tries < max_tries) {
+      weak_.push_back(std::move(weak));
+    } else {
+      DropKeyframe(index);
+    }
+  }
+}
+
+void DriveMapper::DropKeyframe(uint32_t index) {
+  if (current().keyframes().count(index) != 0) current().RemoveKeyframe(index);
+}
+
+// The weak frames at its end are the first of the next session.
+void DriveMapper::LoseSession(MapperReport* report) {
+  ++counters_.lost_sessions;
+  std::vector<WeakFrame> weak = std::exchange(weak_, {});
+  for (const WeakFrame& frame : weak) DropKeyframe(frame.event.id.index);
+  weak.erase(weak.begin(), weak.end() - std::exchange(num_weak_in_row_, 0));
+  CloseSession(SessionState::kLost);
+  OpenSession();
+  for (const WeakFrame& frame : weak) Hold(frame.event, report);
+}
+
+void DriveMapper::AddLight(const FrameEvent& event, MapperReport* report) {
+  const auto scope = MeasureStage(context_.times, "light");
+  ++counters_.light_frames;
+  LightFrame frame = MakeLightFrame(event);
+  const bool posed =
+      current().state() == SessionState::kMapping &&
+      PoseLightFrame(event.id.index, last_pose_, context_.options, &frame, current());
+  report->outcome = posed ? MapperOutcome::kLight : MapperOutcome::kUnposed;
+  if (!posed) {
+    unposed_.emplace(event.id.index, std::move(frame));
+    return;
+  }
+  last_pose_ = frame.cam_from_reference * current().keyframe(frame.reference).cam_from_session;
+  current().AddLightFrame(event.id.index, std::move(frame));
+}
+
+void DriveMapper::PoseWaitingLightFrames() {
+  for (auto it = unposed_.begin(); it != unposed_.end();) {
+    const bool posed = PoseLightFrame(it->first, {}, context_.options, &it->second, current());
+    if (posed) current().AddLightFrame(it->first, std::move(it->second));
+    it = posed ? unposed_.erase(it) : std::next(it);
+  }
+}
+
+void DriveMapper::OpenSession() {
+  num_waited_ = 0;
+  sessions_.push_back(std::make_unique<Session>(context_.new_session_id(), drive_, camera_));
+  global_ = GlobalAdjustment(context_.options, context_.executor);
+}
+
+void DriveMapper::CloseSession(SessionState state) {
+  const auto scope = MeasureStage(context_.times, "adjust_finally");
+  global_.Abandon();
+  if (current().state() == SessionState::kMapping) {
+    AdjustFinally(context_.options, &current());
+    RefineLightFrames(context_.options, &current());
+    PoseWaitingLightFrames();
+    UpdateScale(context_.options.scale, true, &current());
+    context_.on_session_closed(&current());
+  }
+  current().set_state(state);
+  unposed_.clear();
+  last_pose_.reset();
+}
+
+void DriveMapper::Finish() {
+  if (current().state() == SessionState::kBootstrapping && !held_.empty()) {
+    BootstrapOptions bootstrap = context_.options.bootstrap;
+    bootstrap.min_angle_deg = bootstrap.hurried_angle_deg;
+    const auto pair = FindBestBootstrapPair(held_, current(), bootstrap, context_.options.seed);
+    if (pair) Start(*pair);
+  }
+  if (current().state() == SessionState::kMapping) RetryWeakFrames(0);
+  CloseSession(SessionState::kFinished);
+  held_.clear();
+}
+
+}  // namespace rovio_sfm

@@ -1,0 +1,111 @@
+#include "rovio_sfm/mapping/register_frame.h"
+
+#include <utility>
+
+#include "rovio_sfm/mapping/make_keyframe.h"
+#include "rovio_sfm/sfm/resect_frame.h"
+
+namespace rovio_sfm {
+namespace {
+
+ResectFrameOptions ResectOptionsOf(const MapperOptions& options) {
+  return {options.resect.threshold_px / options.pixel_sigma_px, options.resect.max_iterations,
+          options.adjust.loss_px / options.pixel_sigma_px};
+}
+
+std::optional<Registration> Accept(const std::optional<Resection>& resection, size_t num_matches,
+                                   const MapperOptions& options) {
+  if (!resection || resection->inliers.size() < static_cast<size_t>(options.resect.min_inliers)) {
+    return std::nullopt;
+  }
+  return Registration{resection->cam_from_map, static_cast<uint32_t>(num_matches),
+                      static_cast<uint32_t>(resection->inliers.size())};
+}
+
+std::vector<PoseObservation> ObservationsOf(const LightFrame& frame, const MapperOptions& options,
+                                            const Session& session) {
+  std::vector<PoseObservation> observations;
+  const double sigma = options.pixel_sigma_px / session.camera().MeanFocal();
+  for (size_t i = 0; i < frame.tracks.size(); ++i) {
+    const Landmark* landmark = session.FindLandmark(frame.tracks[i]);
+    if (landmark != nullptr) observations.push_back({landmark->position, frame.points[i], sigma});
+  }
+  return observations;
+}
+
+}  // namespace
+
+std::optional<Registration> RegisterObservations(const std::vector<PoseObservation>& observations,
+                                                 uint64_t stream, const MapperOptions& options) {
+  Rng rng = Rng(options.seed).Fork(stream);
+  return Accept(ResectFrame(observations, ResectOptionsOf(options), rng), observations.size(),
+                options);
+}
+
+std::optional<Registration> RegisterKeyframe(const FrameEvent& event, const MapperOptions& options,
+                                             const Session& session) {
+  std::vector<PoseObservation> observations;
+  for (size_t i = 0; i < event.tracks.size(); ++i) {
+    if (event.tracks[i] == 0) continue;
+    const Landmark* landmark = session.FindLandmark(event.tracks[i]);
+    if (landmark == nullptr) continue;
+    const Keypoint& keypoint = event.features->keypoints[i];
+    observations.push_back(
+        {landmark->position, keypoint.x_normalized, FeatureSigma(keypoint, event.camera, options)});
+  }
+  return RegisterObservations(observations, event.id.index, options);
+}
+
+std::optional<Registration> RegisterAgain(uint32_t frame, const MapperOptions& options,
+                                          const Session& session) {
+  std::vector<PoseObservation> observations;
+  const Keyframe& keyframe = session.keyframe(frame);
+  for (size_t i = 0; i < keyframe.tracks.size(); ++i) {
+    if (keyframe.tracks[i] == 0) continue;
+    const Landmark* landmark = session.FindLandmark(keyframe.tracks[i]);
+    if (landmark == nullptr) continue;
+    observations.push_back({landmark->position, keyframe.points[i], keyframe.sigmas[i]});
+  }
+  return RegisterObservations(observations, frame, options);
+}
+
+bool PoseLightFrame(uint32_t index, const std::optional<Rigid3>& predicted_cam_from_session,
+                    const MapperOptions& options, LightFrame* frame, const Session& session) {
+  auto reference = session.keyframes().lower_bound(index);
+  while (reference != session.keyframes().begin()) {
+    if (!(--reference)->second.weak) break;
+  }
+  if (reference == session.keyframes().end() || reference->second.weak) return false;
+  const std::vector<PoseObservation> observations = ObservationsOf(*frame, options, session);
+  std::optional<Registration> registration;
+  if (predicted_cam_from_session) {
+    registration = Accept(
+        ResectFromPrediction(observations, *predicted_cam_from_session, ResectOptionsOf(options)),
+        observations.size(), options);
+  }
+  if (!registration) registration = RegisterObservations(observations, index, options);
+  if (!registration) return false;
+  frame->reference = reference->first;
+  frame->cam_from_reference =
+      registration->cam_from_session * Inverse(reference->second.cam_from_session);
+  frame->num_inliers = registration->num_inliers;
+  return true;
+}
+
+void RefineLightFrames(const MapperOptions& options, Session* session) {
+  std::vector<std::pair<uint32_t, LightFrame>> refined;
+  for (const auto& [index, frame] : session->light_frames()) {
+    const Rigid3& reference = session->keyframe(frame.reference).cam_from_session;
+    const auto registration =
+        Accept(ResectFromPrediction(ObservationsOf(frame, options, *session),
+                                    frame.cam_from_reference * reference, ResectOptionsOf(options)),
+               0, options);
+    if (!registration) continue;
+    refined.emplace_back(index, frame);
+    refined.back().second.cam_from_reference = registration->cam_from_session * Inverse(reference);
+    refined.back().second.num_inliers = registration->num_inliers;
+  }
+  for (auto& [index, frame] : refined) session->AddLightFrame(index, std::move(frame));
+}
+
+}  // namespace rovio_sfm

@@ -1,0 +1,139 @@
+#include "rovio_sfm/merging/adjust_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "rovio_sfm/mapping/stage_options.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr int kFinalRounds = 3;
+constexpr double kLooseFactor = 3.0;  // links may be that much worse before the adjustment
+
+double PixelsPerSigma(const PlacedSession& placed, const FeatureRef& feature) {
+  return placed.session->keyframe(feature.frame).sigmas[feature.feature] *
+         placed.session->camera().MeanFocal();
+}
+
+// The sessions of a map by id.
+class SessionIndex {
+ public:
+  explicit SessionIndex(const std::vector<PlacedSession>& sessions) {
+    for (const PlacedSession& placed : sessions) placed_[placed.session->id()] = &placed;
+  }
+
+  // Null where the session is not of this map or its keyframe is not there.
+  const PlacedSession* Find(const FeatureRef& feature) const {
+    const auto it = placed_.find(feature.session);
+    if (it == placed_.end()) return nullptr;
+    return it->second->session->keyframes().count(feature.frame) == 0 ? nullptr : it->second;
+  }
+
+ private:
+  std::map<SessionId, const PlacedSession*> placed_;
+};
+
+struct LinkEnds {
+  const PlacedSession* a = nullptr;
+  const PlacedSession* b = nullptr;
+  const Landmark* landmark_a = nullptr;  // may be null, one of them
+  const Landmark* landmark_b = nullptr;
+};
+
+std::optional<LinkEnds> EndsOf(const SessionIndex& index, const FeatureLink& link) {
+  LinkEnds ends{index.Find(link.a), index.Find(link.b)};
+  if (ends.a == nullptr || ends.b == nullptr) return std::nullopt;
+  ends.landmark_a = ObservedLandmark(*ends.a->session, link.a);
+  ends.landmark_b = ObservedLandmark(*ends.b->session, link.b);
+  if (ends.landmark_a == nullptr && ends.landmark_b == nullptr) return std::nullopt;
+  return ends;
+}
+
+bool Fits(const LinkEnds& ends, const FeatureLink& link, double max_error_sigmas) {
+  if (ends.landmark_a != nullptr &&
+      LinkErrorSigmas(*ends.a, ends.landmark_a->position, *ends.b, link.b) > max_error_sigmas) {
+    return false;
+  }
+  return ends.landmark_b == nullptr ||
+         LinkErrorSigmas(*ends.b, ends.landmark_b->position, *ends.a, link.a) <= max_error_sigmas;
+}
+
+uint32_t DropBadLinks(const std::vector<PlacedSession>& sessions, double max_error_sigmas,
+                      std::vector<FeatureLink>* links) {
+  const SessionIndex index(sessions);
+  const auto bad = std::remove_if(links->begin(), links->end(), [&](const FeatureLink& link) {
+    const auto ends = EndsOf(index, link);
+    return ends && !Fits(*ends, link, max_error_sigmas);
+  });
+  const auto num_dropped = static_cast<uint32_t>(links->end() - bad);
+  links->erase(bad, links->end());
+  return num_dropped;
+}
+
+uint32_t PruneSessions(const std::vector<PlacedSession>& sessions, const MapperOptions& options) {
+  uint32_t num_removed = 0;
+  for (const PlacedSession& placed : sessions) {
+    num_removed += PruneAllLandmarks(PruneOptionsOf(options), placed.session).num_observations;
+  }
+  return num_removed;
+}
+
+}  // namespace
+
+LinkStatistics MeasureLinks(const std::vector<PlacedSession>& sessions,
+                            const std::vector<FeatureLink>& links) {
+  const SessionIndex index(sessions);
+  std::vector<double> errors;
+  LinkStatistics statistics;
+  for (const FeatureLink& link : links) {
+    const auto ends = EndsOf(index, link);
+    if (!ends) continue;
+    ++statistics.num_links;
+    if (ends->landmark_a != nullptr) {
+      errors.push_back(LinkErrorSigmas(*ends->a, ends->landmark_a->position, *ends->b, link.b) *
+                       PixelsPerSigma(*ends->b, link.b));
+    }
+    if (ends->landmark_b != nullptr) {
+      errors.push_back(LinkErrorSigmas(*ends->b, ends->landmark_b->position, *ends->a, link.a) *
+                       PixelsPerSigma(*ends->a, link.a));
+    }
+  }
+  if (errors.empty()) return statistics;
+  std::sort(errors.begin(), errors.end());
+  statistics.median_error_px = errors[errors.size() / 2];
+  return statistics;
+}
+
+MapAdjustmentReport AdjustMap(const std::vector<PlacedSession>& sessions,
+                              const MapperOptions& options, bool is_final,
+                              std::vector<FeatureLink>* links) {
+  const double max_error_sigmas = options.prune.max_error_px / options.pixel_sigma_px;
+  const double loss_sigmas = options.adjust.loss_px / options.pixel_sigma_px;
+  const auto max_frames = static_cast<size_t>(options.adjust.max_global_frames);
+  MapAdjustmentReport report;
+  report.before = MeasureLinks(sessions, *links);
+  const int num_rounds = is_final ? kFinalRounds : 1;
+  const int max_iterations =  // the map is adjusted again when its sessions end
+      is_final ? options.adjust.global_max_iterations : options.adjust.local_max_iterations;
+  for (int round = 0; round <= num_rounds; ++round) {
+    const bool is_last = round == num_rounds;
+    if (is_last && !is_final) break;
+    const double link_error = round == 0 ? kLooseFactor * max_error_sigmas : max_error_sigmas;
+    MapBundle bundle(sessions, *links, link_error);
+    if (!bundle.Solve({max_iterations, is_last ? 0.0 : loss_sigmas}, max_frames).usable) {
+      break;
+    }
+    bundle.Apply();
+    report.usable = true;
+    report.shared = bundle.FindShared();
+    if (is_last) break;
+    report.num_dropped_links += DropBadLinks(sessions, max_error_sigmas, links);
+    if (PruneSessions(sessions, options) == 0 && is_final) round = num_rounds - 1;
+  }
+  report.after = MeasureLinks(sessions, *links);
+  return report;
+}
+
+}  // namespace rovio_sfm

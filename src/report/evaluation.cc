@@ -1,0 +1,133 @@
+#include "rovio_sfm/report/evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rovio_sfm {
+namespace {
+
+constexpr double kDegreesPerRadian = 180.0 / M_PI;
+
+// One posed image with its true pose.
+struct Compared {
+  size_t drive = 0;
+  int64_t stamp_ns = 0;
+  Rigid3 map_from_cam;
+  Rigid3 world_from_cam;
+};
+
+std::vector<Compared> Compare(const std::vector<DriveEvaluation>& drives, int64_t max_gap_ns) {
+  std::vector<Compared> compared;
+  for (size_t i = 0; i < drives.size(); ++i) {
+    for (const StampedPose& pose : drives[i].estimate) {
+      const auto truth = InterpolatePose(drives[i].ground_truth, pose.stamp_ns, max_gap_ns);
+      if (truth) compared.push_back({i, pose.stamp_ns, pose.reference_from_body, *truth});
+    }
+  }
+  return compared;
+}
+
+std::optional<Sim3> Align(const std::vector<Compared>& compared) {
+  std::vector<Eigen::Vector3d> in_map, in_world;
+  for (const Compared& c : compared) {
+    in_map.push_back(c.map_from_cam.translation);
+    in_world.push_back(c.world_from_cam.translation);
+  }
+  return AlignPoints(in_map, in_world);
+}
+
+double RootMeanSquare(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+// The smallest value that at least this share of the values does not exceed.
+double NearestRank(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  const double rank = std::ceil(share * static_cast<double>(values.size()));
+  return values[static_cast<size_t>(std::max(rank, 1.0)) - 1];
+}
+
+void AddAbsoluteErrors(const std::vector<Compared>& compared, EvaluationReport* report) {
+  std::vector<double> distances_m, angles_deg;
+  for (const Compared& c : compared) {
+    const Eigen::Vector3d center = report->world_from_map * c.map_from_cam.translation;
+    distances_m.push_back((center - c.world_from_cam.translation).norm());
+    const Eigen::Quaterniond rotation = report->world_from_map.rotation * c.map_from_cam.rotation;
+    angles_deg.push_back(RotationAngle(rotation.conjugate() * c.world_from_cam.rotation) *
+                         kDegreesPerRadian);
+  }
+  report->ate_rmse_m = RootMeanSquare(distances_m);
+  report->ate_p95_m = NearestRank(distances_m, 0.95);
+  report->ate_max_m = NearestRank(distances_m, 1.0);
+  report->rotation_rmse_deg = RootMeanSquare(angles_deg);
+}
+
+double PathLength(const std::vector<Compared>& compared) {
+  double length_m = 0.0;
+  for (size_t i = 1; i < compared.size(); ++i) {
+    if (compared[i].drive != compared[i - 1].drive) continue;
+    length_m +=
+        (compared[i].world_from_cam.translation - compared[i - 1].world_from_cam.translation)
+            .norm();
+  }
+  return length_m;
+}
+
+// The first image at least one step, at most one and a half, after image i in the same drive.
+std::optional<size_t> OneStepLater(const std::vector<Compared>& compared, size_t i,
+                                   int64_t step_ns) {
+  for (size_t j = i + 1; j < compared.size() && compared[j].drive == compared[i].drive; ++j) {
+    const int64_t passed_ns = compared[j].stamp_ns - compared[i].stamp_ns;
+    if (passed_ns > step_ns + step_ns / 2) return std::nullopt;
+    if (passed_ns >= step_ns) return j;
+  }
+  return std::nullopt;
+}
+
+// The relative motion of the estimate, in metres, as the first camera sees it, against the truth's.
+void AddRelativeErrors(const std::vector<Compared>& compared, int64_t step_ns,
+                       EvaluationReport* report) {
+  std::vector<double> distances_m, angles_deg;
+  for (size_t i = 0; i < compared.size(); ++i) {
+    const std::optional<size_t> j = OneStepLater(compared, i, step_ns);
+    if (!j) continue;
+    Rigid3 moved = Inverse(compared[i].map_from_cam) * compared[*j].map_from_cam;
+    moved.translation *= report->world_from_map.scale;
+    const Rigid3 truth = Inverse(compared[i].world_from_cam) * compared[*j].world_from_cam;
+    const Rigid3 error = Inverse(truth) * moved;
+    distances_m.push_back(error.translation.norm());
+    angles_deg.push_back(RotationAngle(error.rotation) * kDegreesPerRadian);
+  }
+  report->num_rpe_pairs = distances_m.size();
+  if (distances_m.empty()) return;
+  report->rpe_rmse_m = RootMeanSquare(distances_m);
+  report->rpe_rotation_rmse_deg = RootMeanSquare(angles_deg);
+}
+
+}  // namespace
+
+bool EvaluationOptions::IsValid(std::string* error) const {
+  if (max_gap_ns <= 0) *error = "max_gap_ns = " + std::to_string(max_gap_ns) + ": expected > 0";
+  if (rpe_step_ns <= 0) *error = "rpe_step_ns = " + std::to_string(rpe_step_ns) + ": expected > 0";
+  return max_gap_ns > 0 && rpe_step_ns > 0;
+}
+
+std::optional<EvaluationReport> EvaluateTrajectories(const std::vector<DriveEvaluation>& drives,
+                                                     const EvaluationOptions& options) {
+  const std::vector<Compared> compared = Compare(drives, options.max_gap_ns);
+  const std::optional<Sim3> world_from_map = Align(compared);
+  if (!world_from_map) return std::nullopt;
+  EvaluationReport report;
+  for (const DriveEvaluation& drive : drives) report.num_poses += drive.estimate.size();
+  report.num_compared = compared.size();
+  report.world_from_map = *world_from_map;
+  report.scale_error = std::abs(world_from_map->scale - 1.0);
+  report.path_length_m = PathLength(compared);
+  AddAbsoluteErrors(compared, &report);
+  AddRelativeErrors(compared, options.rpe_step_ns, &report);
+  return report;
+}
+
+}  // namespace rovio_sfm

@@ -1,0 +1,131 @@
+#include "rovio_sfm/sim/tour/render_tour.h"
+
+#include <future>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "rovio_sfm/sim/robot/robot_body.h"
+#include "rovio_sfm/sim/tour/find_overlaps.h"
+#include "rovio_sfm/sim/tour/simulate_tour.h"
+#include "rovio_sfm/sim/tour/tour_folder.h"
+#include "rovio_sfm/sim/world/load_world.h"
+#include "rovio_sfm/util/executor.h"
+#include "rovio_sfm/util/option_checker.h"
+
+namespace rovio_sfm::sim {
+namespace {
+
+constexpr int kDepthStep_px = 8;
+
+TourSpec LoadTourOf(const RenderTourOptions& options, const std::string& name) {
+  return LoadTour(options.config_folder + "/tours/" + name + ".yaml");
+}
+
+SimulatedTour Simulate(const RenderTourOptions& options, const TourSpec& spec) {
+  SimulatedTour tour = SimulateTour(spec, options.slip, options.seed);
+  const size_t limit = static_cast<size_t>(options.max_frames);
+  if (limit > 0 && tour.frames.size() > limit) tour.frames.resize(limit);
+  return tour;
+}
+
+// A data set to write: the pictures of one rendering, developed in one way.
+struct Output {
+  TourFolder folder;
+  DevelopOptions develop;
+};
+
+std::vector<Output> OpenOutputs(const RenderTourOptions& options) {
+  std::vector<Output> outputs{{TourFolder(options.out_folder, options.overwrite), options.develop}};
+  if (options.clean_out_folder.empty()) return outputs;
+  DevelopOptions clean = options.develop;
+  clean.noise_sigma = 0.0;
+  outputs.push_back({TourFolder(options.clean_out_folder, options.overwrite), clean});
+  return outputs;
+}
+
+void RenderFrame(const ImageRenderer& renderer, const TourFrame& frame,
+                 const std::vector<Output>& outputs, size_t index, uint64_t seed) {
+  const cv::Mat light = renderer.Render(frame.motion, seed);
+  for (const Output& output : outputs) {
+    const cv::Mat picture = DevelopImage(light, frame.exposure, output.develop, seed);
+    output.folder.WriteImage(index, EncodeJpeg(picture, output.develop));
+  }
+}
+
+void RenderImages(const RenderTourOptions& options, const ImageRenderer& renderer,
+                  const SimulatedTour& tour, const std::vector<Output>& outputs) {
+  Executor executor(options.num_threads > 1 ? options.num_threads : 0);
+  std::vector<std::future<void>> done;
+  Rng rng(options.seed ^ 0x70697865ULL);
+  for (size_t i = 0; i < tour.frames.size(); ++i) {
+    const uint64_t seed = rng.Next();
+    const TourFrame& frame = tour.frames[i];
+    done.push_back(executor.Submit([&renderer, &frame, &outputs, seed, i] {
+      RenderFrame(renderer, frame, outputs, i, seed);
+    }));
+  }
+  for (std::future<void>& frame : done) frame.get();
+}
+
+std::vector<DepthView> RenderDepths(const World& world, const Camera& camera,
+                                    const SimulatedTour& tour) {
+  std::vector<DepthView> views;
+  for (const TourFrame& frame : tour.frames) {
+    views.push_back({frame.world_from_camera,
+                     RenderDepth(world, camera, frame.world_from_camera, kDepthStep_px)});
+  }
+  return views;
+}
+
+// Each pair list under the name of its file.
+using NamedOverlaps = std::vector<std::pair<std::string, std::vector<ViewOverlap>>>;
+
+NamedOverlaps FindAllOverlaps(const RenderTourOptions& options, const World& world,
+                              const Camera& camera, const TourSpec& spec,
+                              const SimulatedTour& tour) {
+  const std::vector<DepthView> views = RenderDepths(world, camera, tour);
+  NamedOverlaps overlaps{{"overlaps.txt", FindOverlaps(camera, views, kDepthStep_px)}};
+  for (const std::string& name : spec.shares_with) {
+    const SimulatedTour other = Simulate(options, LoadTourOf(options, name));
+    const std::vector<DepthView> others = RenderDepths(world, camera, other);
+    overlaps.emplace_back("overlaps_" + name + ".txt",
+                          FindOverlaps(camera, views, others, kDepthStep_px));
+  }
+  return overlaps;
+}
+
+}  // namespace
+
+bool RenderTourOptions::IsValid(std::string* error) const {
+  OptionChecker check("render_tour", error);
+  check.True("tour", !tour.empty() && tour.find('/') == std::string::npos, "the name of a tour");
+  check.True("out_folder", !out_folder.empty(), "a folder");
+  check.Range("max_frames", max_frames, 0, 100000);
+  check.Range("num_threads", num_threads, 1, 64);
+  check.Nested(render);
+  check.Nested(develop);
+  check.Nested(slip);
+  return check.Passed();
+}
+
+int RenderTour(const RenderTourOptions& options) {
+  std::string error;
+  if (!options.IsValid(&error)) throw std::runtime_error(error);
+  const TourSpec spec = LoadTourOf(options, options.tour);
+  const SimulatedTour tour = Simulate(options, spec);
+  const std::vector<Output> outputs = OpenOutputs(options);
+  const World world(LoadWorld(options.config_folder + "/worlds/" + spec.world + ".yaml"));
+  const Camera camera = RovioCamera();
+  const ImageRenderer renderer(world, camera, options.render);
+  RenderImages(options, renderer, tour, outputs);
+  const NamedOverlaps overlaps = FindAllOverlaps(options, world, camera, spec, tour);
+  for (const Output& output : outputs) {
+    output.folder.WriteCalibration(camera);
+    for (const auto& [name, pairs] : overlaps) output.folder.WriteOverlaps(name, pairs);
+    output.folder.WriteFrames(tour);
+  }
+  return static_cast<int>(tour.frames.size());
+}
+
+}  // namespace rovio_sfm::sim

@@ -1,0 +1,77 @@
+#include "rovio_sfm/app/command_arguments.h"
+
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "util/temporary_folder.h"
+
+namespace rovio_sfm {
+namespace {
+
+// The exit status, if there is one, and what the words made of the arguments.
+std::optional<int> Parse(std::vector<const char*> words, MappingArguments* arguments) {
+  words.insert(words.begin(), "program");
+  CLI::App app;
+  DeclareMappingArguments(&app, arguments);
+  std::ostringstream out;
+  return ParseArguments(&app, static_cast<int>(words.size()), words.data(), out);
+}
+
+TEST(ParseArguments, GoesOnOnlyIfAllIsWell) {
+  MappingArguments arguments;
+  EXPECT_FALSE(Parse({"--out", "x"}, &arguments));
+  EXPECT_EQ(Parse({"--help"}, &arguments), 0);
+  EXPECT_NE(Parse({}, &arguments).value_or(0), 0);
+  EXPECT_NE(Parse({"--out", "x", "--mode", "some"}, &arguments).value_or(0), 0);
+}
+
+TEST(CompleteMappingArguments, OverridesOnlyWhatWasSaid) {
+  MappingArguments arguments;
+  arguments.mapper.frontend.extract.max_features = 700;
+  ASSERT_FALSE(Parse({"--out", "x", "--mode", "parallax", "--seed", "5"}, &arguments));
+  CompleteMappingArguments(&arguments);
+  EXPECT_EQ(arguments.mapper.frontend.extract.max_features, 700);
+  EXPECT_EQ(arguments.mapper.frontend.choose.mode, KeyframeMode::kParallax);
+  EXPECT_EQ(arguments.mapper.mapper.seed, 5u);
+}
+
+TEST(DeclareMappingArguments, TurnsThePoseGraphOffOnlyIfTold) {
+  MappingArguments arguments;
+  ASSERT_FALSE(Parse({"--out", "x", "--max-overlaps", "1"}, &arguments));
+  EXPECT_TRUE(arguments.mapper.mapper.merge.use_pose_graph);
+  EXPECT_EQ(arguments.mapper.mapper.merge.max_overlaps, 1);
+  ASSERT_FALSE(Parse({"--out", "x", "--no-pose-graph"}, &arguments));
+  EXPECT_FALSE(arguments.mapper.mapper.merge.use_pose_graph);
+}
+
+TEST(DeclareMappingArguments, TakesTheFloorForFlatOnlyIfTold) {
+  MappingArguments arguments;
+  ASSERT_FALSE(Parse({"--out", "x"}, &arguments));
+  EXPECT_FALSE(arguments.mapper.mapper.adjust.planar_motion);
+  ASSERT_FALSE(Parse({"--out", "x", "--planar-motion"}, &arguments));
+  EXPECT_TRUE(arguments.mapper.mapper.adjust.planar_motion);
+}
+
+TEST(CompleteMappingArguments, RefusesWhatIsOutOfRange) {
+  MappingArguments arguments;
+  ASSERT_FALSE(Parse({"--out", "x", "--features", "0"}, &arguments));
+  EXPECT_THROW(CompleteMappingArguments(&arguments), std::runtime_error);
+}
+
+TEST(PrepareResultFolder, GuardsAnEarlierResult) {
+  const TemporaryFolder folder;
+  MappingArguments arguments;
+  arguments.out = folder.Path() / "new";
+  PrepareResultFolder(arguments, "cloud.ply");
+  folder.Write("new/cloud.ply", "");
+  EXPECT_THROW(PrepareResultFolder(arguments, "cloud.ply"), std::runtime_error);
+  arguments.overwrite = true;
+  EXPECT_NO_THROW(PrepareResultFolder(arguments, "cloud.ply"));
+}
+
+}  // namespace
+}  // namespace rovio_sfm

@@ -1,0 +1,80 @@
+#include "rovio_sfm/app/mapping_engine.h"
+
+#include <gtest/gtest.h>
+
+#include "merging/two_drives.h"
+
+namespace rovio_sfm {
+namespace {
+
+// A light frame: it needs no features to be taken in.
+FrameEvent Event(const std::string& robot, uint32_t nonce, uint32_t index) {
+  FrameEvent event;
+  event.id = {{robot, 1000, nonce}, index};
+  event.kind = FrameKind::kLight;
+  event.stamp_ns = 1000 + 1000 * static_cast<int64_t>(index);
+  event.camera = {500.0, 500.0, 320.0, 240.0, 0, 0, 0, 0, 0, 640, 480};
+  event.features = std::make_shared<FrameFeatures>();
+  return event;
+}
+
+TEST(MappingEngine, CountsWhatComesInAndShowsASession) {
+  MappingEngine engine((MapOptions()));
+  EXPECT_EQ(engine.Picture().num_events, 0u);
+  EXPECT_NE(engine.Add(Event("rovio1", 1, 0)).outcome, MapperOutcome::kRefused);
+  EXPECT_EQ(engine.Picture().num_events, 1u);
+}
+
+TEST(MappingEngine, KnowsWhichIndexIsMissing) {
+  MappingEngine engine((MapOptions()));
+  EXPECT_EQ(engine.NextIndex(Event("rovio1", 1, 7).id), 0u);
+  engine.Add(Event("rovio1", 1, 0));
+  EXPECT_EQ(engine.NextIndex(Event("rovio1", 1, 4).id), 1u);
+  EXPECT_EQ(engine.NextIndex(Event("rovio1", 1, 0).id), 0u);
+}
+
+TEST(MappingEngine, RefusesAnEndedDrive) {
+  MappingEngine engine((MapOptions()));
+  engine.Add(Event("rovio1", 1, 0));
+  EXPECT_NE(engine.Add(Event("rovio1", 2, 0)).outcome, MapperOutcome::kRefused);
+  const MapperReport report = engine.Add(Event("rovio1", 1, 1));
+  EXPECT_EQ(report.outcome, MapperOutcome::kRefused);
+  EXPECT_NE(report.reason.find("two frontends"), std::string::npos);
+}
+
+TEST(MappingEngine, TwoRobotsDriveSideBySide) {
+  MappingEngine engine((MapOptions()));
+  for (uint32_t i = 0; i < 3; ++i) {
+    EXPECT_NE(engine.Add(Event("rovio1", 1, i)).outcome, MapperOutcome::kRefused);
+    EXPECT_NE(engine.Add(Event("rovio2", 1, i)).outcome, MapperOutcome::kRefused);
+  }
+}
+
+TEST(MappingEngine, FinishingAnUnknownRobotSaysSo) {
+  MappingEngine engine((MapOptions()));
+  EXPECT_FALSE(engine.FinishSession("rovio9"));
+}
+
+TEST(MappingEngine, ShowsTheMergeThatAPlaceMatchBrings) {
+  const TwoDrives two = MakeTwoDrives();
+  MappingEngine engine((MapOptions()));
+  engine.Add(TrueOverlap(two, 8, 8));  // waits: its drives are not known yet
+  EXPECT_EQ(engine.Picture().num_place_matches, 1u);
+  EXPECT_TRUE(engine.Picture().merges.empty());
+  for (const FrameEvent& event : two.a) engine.Add(event);
+  for (const FrameEvent& event : two.b) engine.Add(event);
+  const MapPicture picture = engine.Picture();
+  ASSERT_EQ(picture.merges.size(), 1u);
+  EXPECT_EQ(picture.merges[0].verdict, MergeVerdict::kAccepted) << picture.merges[0].reason;
+  EXPECT_EQ(picture.snapshot->sessions[1].map.value, 1u);
+}
+
+TEST(MappingEngine, DriveGoesOnAfterReset) {
+  MappingEngine engine((MapOptions()));
+  engine.Add(Event("rovio1", 1, 0));
+  engine.Reset();
+  EXPECT_NE(engine.Add(Event("rovio1", 1, 1)).outcome, MapperOutcome::kRefused);
+}
+
+}  // namespace
+}  // namespace rovio_sfm

@@ -1,0 +1,92 @@
+#include "rovio_sfm/app/offline_mapper.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "rovio_sfm/report/level_map.h"
+#include "rovio_sfm/util/rng.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr int kNumImages = 8;
+
+// Two textured walls, one nearer, past which a small camera moves sideways.
+cv::Mat Wall(int width, uint64_t seed) {
+  Rng rng(seed);
+  cv::Mat wall(200, width, CV_8UC3);
+  for (auto it = wall.begin<cv::Vec3b>(); it != wall.end<cv::Vec3b>(); ++it) {
+    for (int c = 0; c < 3; ++c) (*it)[c] = static_cast<uint8_t>(rng.UniformInt(256));
+  }
+  cv::GaussianBlur(wall, wall, {0, 0}, 2.0);
+  cv::normalize(wall, wall, 0, 255, cv::NORM_MINMAX);
+  return wall;
+}
+
+std::vector<ImageEvent> SmallDrive() {
+  const cv::Mat far_wall = Wall(500, 1), near_wall = Wall(700, 2);
+  std::vector<ImageEvent> images;
+  for (int i = 0; i < kNumImages; ++i) {
+    cv::Mat image(200, 280, CV_8UC3);
+    far_wall(cv::Rect(8 * i, 0, 280, 100)).copyTo(image.rowRange(0, 100));
+    near_wall(cv::Rect(16 * i, 100, 280, 100)).copyTo(image.rowRange(100, 200));
+    std::vector<uint8_t> png;
+    cv::imencode(".png", image, png);
+    ImageEvent event;
+    event.stamp_ns = i * 1'000'000'000LL;
+    event.name = std::to_string(i);
+    event.encoded = std::make_shared<const std::vector<uint8_t>>(png);
+    event.camera.fx = event.camera.fy = 250.0;
+    event.camera.cx = 140.0, event.camera.cy = 100.0;
+    event.camera.width = 280, event.camera.height = 200;
+    images.push_back(event);
+  }
+  return images;
+}
+
+std::shared_ptr<const MapSnapshot> MapWith(int num_threads, OfflineMapperOptions options = {}) {
+  options.num_threads = num_threads;
+  options.frontend.extract.max_features = 300;
+  OfflineMapper mapper(options, nullptr, nullptr);
+  mapper.StartDrive("small");
+  for (const ImageEvent& image : SmallDrive()) mapper.Add(image);
+  return mapper.Finish();
+}
+
+TEST(OfflineMapper, GivesTheSameMapWithOneAndManyThreads) {
+  const auto one = FindLargestMap(*MapWith(1)), three = FindLargestMap(*MapWith(3));
+  ASSERT_EQ(one.has_value(), three.has_value());
+  ASSERT_TRUE(one.has_value());
+  const auto images = PosedImages(*one), same = PosedImages(*three);
+  ASSERT_EQ(images.size(), same.size());
+  EXPECT_EQ(images.size(), static_cast<size_t>(kNumImages));
+  for (size_t i = 0; i < images.size(); ++i) {
+    EXPECT_EQ(images[i].level_from_camera.reference_from_body.translation,
+              same[i].level_from_camera.reference_from_body.translation);
+  }
+}
+
+TEST(OfflineMapper, CountsWhatBecameOfTheImages) {
+  OfflineMapper mapper({}, nullptr, nullptr);
+  mapper.StartDrive("small");
+  ImageEvent broken = SmallDrive().front();
+  broken.encoded = std::make_shared<const std::vector<uint8_t>>(10, uint8_t{7});
+  mapper.Add(broken);
+  EXPECT_TRUE(mapper.Finish()->sessions.empty());
+  EXPECT_EQ(mapper.frontend_counters().images, 1u);
+  EXPECT_EQ(mapper.frontend_counters().refused, 1u);
+}
+
+TEST(OfflineMapperOptions, NamesTheBadOption) {
+  std::string error;
+  OfflineMapperOptions options;
+  EXPECT_TRUE(options.IsValid(&error)) << error;
+  options.num_threads = 0;
+  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_NE(error.find("num_threads"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rovio_sfm

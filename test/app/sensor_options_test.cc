@@ -1,0 +1,17 @@
+#include "rovio_sfm/app/sensor_options.h"
+
+#include <gtest/gtest.h>
+
+namespace rovio_sfm {
+namespace {
+
+TEST(SensorOptions, LatencyOutOfRangeIsNamed) {
+  SensorOptions options;
+  options.odom_latency_s = 5.0;
+  std::string error;
+  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_NE(error.find("odom_latency_s"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rovio_sfm

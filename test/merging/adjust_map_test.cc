@@ -1,0 +1,99 @@
+#include "rovio_sfm/merging/adjust_map.h"
+
+#include <gtest/gtest.h>
+
+#include "merging/two_drives.h"
+
+namespace rovio_sfm {
+namespace {
+
+struct MergedPair {
+  explicit MergedPair(double noise_px = 0.0)
+      : two(MakeTwoDrives(TwoDrivesOptions(noise_px))),
+        a(MappedSession(two, false, {})),
+        b(MappedSession(two, true, OtherGauge())),
+        placed{{&a, {}}, {&b, Inverse(OtherGauge())}} {
+    for (const uint32_t frame : {3u, 8u, 12u}) {
+      const std::vector<FeatureLink> more = LinksOf(TrueOverlap(two, frame, frame), a.id(), b.id());
+      links.insert(links.end(), more.begin(), more.end());
+    }
+    std::sort(links.begin(), links.end());
+  }
+
+  // The largest distance of a camera of b from its true place, with a as the gauge.
+  double ErrorOfB() const {
+    double worst = 0.0;
+    for (const auto& [index, frame] : b.keyframes()) {
+      worst = std::max(worst, PoseDistance(CamFromMap(placed[1], index),
+                                           two.world.cams_from_map[CameraOf(true, index)]));
+    }
+    return worst;
+  }
+
+  TwoDrives two;
+  Session a, b;
+  std::vector<PlacedSession> placed;
+  std::vector<FeatureLink> links;
+};
+
+TEST(AdjustMap, LeavesAPerfectMapAsItIs) {
+  MergedPair pair;
+  const size_t num_links = pair.links.size();
+  const MapAdjustmentReport report = AdjustMap(pair.placed, {}, true, &pair.links);
+  EXPECT_TRUE(report.usable);
+  EXPECT_LT(report.after.median_error_px, 1e-6);
+  EXPECT_EQ(pair.links.size(), num_links);
+  EXPECT_LT(pair.ErrorOfB(), 1e-6);
+  EXPECT_EQ(CheckInvariants(pair.a) + CheckInvariants(pair.b), "");
+}
+
+TEST(AdjustMap, PullsAMisplacedSessionIntoItsPlace) {
+  MergedPair pair;
+  pair.placed[1].map_from_session =
+      Sim3{1.01,
+           Eigen::Quaterniond(Eigen::AngleAxisd(0.004, Eigen::Vector3d::UnitY())),
+           {0.01, 0.0, 0.01}} *
+      pair.placed[1].map_from_session;
+  ASSERT_GT(pair.ErrorOfB(), 0.01);
+  const MapAdjustmentReport report = AdjustMap(pair.placed, {}, true, &pair.links);
+  EXPECT_TRUE(report.usable);
+  EXPECT_GT(report.before.median_error_px, 1.0);
+  EXPECT_LT(report.after.median_error_px, 0.01);
+  EXPECT_LT(pair.ErrorOfB(), 1e-3);
+}
+
+TEST(AdjustMap, KeepsTheErrorBoundedWithNoise) {
+  MergedPair pair(0.7);
+  AdjustMap(pair.placed, {}, true, &pair.links);
+  EXPECT_LT(pair.ErrorOfB(), 0.03);
+}
+
+TEST(AdjustMap, DropsLinksThatDoNotFit) {
+  MergedPair pair;
+  FeatureLink wrong = pair.links.front();
+  for (const FeatureLink& other : pair.links) {  // a feature far away in the same frame
+    if (other.b.frame != wrong.b.frame) continue;
+    const auto& points = pair.b.keyframe(wrong.b.frame).points;
+    if ((points[other.b.feature] - points[wrong.b.feature]).norm() > 0.3) {
+      wrong.b.feature = other.b.feature;
+      break;
+    }
+  }
+  pair.links.insert(std::upper_bound(pair.links.begin(), pair.links.end(), wrong), wrong);
+  const size_t before = pair.links.size();
+  const MapAdjustmentReport report = AdjustMap(pair.placed, {}, false, &pair.links);
+  EXPECT_EQ(report.num_dropped_links, 1u);
+  EXPECT_EQ(pair.links.size(), before - 1);
+  EXPECT_LT(pair.ErrorOfB(), 1e-4);
+}
+
+TEST(AdjustMap, DoesNothingToFramesThatAreGone) {
+  MergedPair pair;
+  pair.b.RemoveKeyframe(8);
+  const MapAdjustmentReport report = AdjustMap(pair.placed, {}, false, &pair.links);
+  EXPECT_TRUE(report.usable);
+  EXPECT_LT(pair.ErrorOfB(), 1e-5);
+}
+
+}  // namespace
+}  // namespace rovio_sfm

@@ -1,0 +1,45 @@
+#include "rovio_sfm/merging/loop_gap.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "merging/two_drives.h"
+
+namespace rovio_sfm {
+namespace {
+
+TEST(MeasureGap, IsZeroWhereBothSayTheSame) {
+  const Session b = MappedSession(MakeTwoDrives(), true, {});
+  const LoopGap gap = MeasureGap(b, 4, OtherGauge(), OtherGauge());
+  EXPECT_NEAR(gap.distance, 0.0, 1e-12);
+  EXPECT_NEAR(gap.log_scale, 0.0, 1e-12);
+  EXPECT_NEAR(gap.rotation_rad, 0.0, 1e-7);
+}
+
+TEST(MeasureGap, SeesShiftTurnAndScale) {
+  const Session b = MappedSession(MakeTwoDrives(), true, {});
+  const Sim3 shift{1.1, Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY())),
+                   Eigen::Vector3d::Zero()};
+  const LoopGap gap = MeasureGap(b, 4, shift * OtherGauge(), OtherGauge());
+  EXPECT_NEAR(gap.log_scale, std::log(1.1), 1e-12);
+  EXPECT_NEAR(gap.rotation_rad, 0.1, 1e-9);
+  EXPECT_GT(gap.distance, 0.01);
+}
+
+TEST(PathLength, AddsTheStepsOfTheRange) {
+  const Session b = MappedSession(MakeTwoDrives(), true, {});
+  const double whole = PathLength(b, 0, UINT32_MAX);
+  EXPECT_NEAR(PathLength(b, 0, 7) + PathLength(b, 7, UINT32_MAX), whole, 1e-12);
+  EXPECT_EQ(PathLength(b, 5, 5), 0.0);
+  EXPECT_EQ(PathLength(b, 500, 600), 0.0);
+}
+
+TEST(MedianDepth, LiesAmongTheLandmarks) {
+  const Session b = MappedSession(MakeTwoDrives(), true, {});
+  EXPECT_GT(MedianDepth(b, 4), 1.0);
+  EXPECT_LT(MedianDepth(b, 4), 8.0);
+}
+
+}  // namespace
+}  // namespace rovio_sfm

@@ -1,0 +1,42 @@
+#include "rovio_sfm/sim/world/world_spec.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/world/small_world.h"
+
+namespace rovio_sfm::sim {
+namespace {
+
+TEST(WorldSpec, AcceptsTheSmallWorld) {
+  std::string error;
+  EXPECT_TRUE(SmallWorldSpec().IsValid(&error)) << error;
+}
+
+TEST(WorldSpec, NamesAnObjectWithAnUnknownTexture) {
+  WorldSpec world = SmallWorldSpec();
+  world.objects[1].parts[0].texture = "marble";
+  std::string error;
+  EXPECT_FALSE(world.IsValid(&error));
+  EXPECT_NE(error.find("crate"), std::string::npos);
+  EXPECT_NE(error.find("marble"), std::string::npos);
+}
+
+TEST(WorldSpec, RefusesTwoTexturesOfOneName) {
+  WorldSpec world = SmallWorldSpec();
+  world.textures[1].name = "wall";
+  std::string error;
+  EXPECT_FALSE(world.IsValid(&error));
+}
+
+TEST(WorldSpec, RefusesALatheWithOddSides) {
+  WorldSpec world = SmallWorldSpec();
+  PartSpec& part = world.objects[1].parts[0];
+  part.shape = PartShape::kLathe;
+  part.profile_m = {{0.1, 0.0}, {0.1, 1.0}};
+  part.sides = 9;
+  std::string error;
+  EXPECT_FALSE(world.IsValid(&error));
+}
+
+}  // namespace
+}  // namespace rovio_sfm::sim
