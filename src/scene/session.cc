@@ -64,7 +64,23 @@ const Landmark* Session::FindLandmark(TrackId track) const {
   return it == landmarks_.end() ? nullptr : &it->second;
 }
 
+void Session::set_state(SessionState state) {
+  ++revision_;
+  state_ = state;
+}
+
+void Session::set_scale(const std::optional<MapScale>& scale) {
+  ++revision_;
+  scale_ = scale;
+}
+
+void Session::set_odometry_delay(const std::optional<OdometryDelay>& delay) {
+  ++revision_;
+  odometry_delay_ = delay;
+}
+
 void Session::AddKeyframe(uint32_t index, Keyframe keyframe) {
+  ++revision_;
   ROVIO_CHECK(keyframes_.count(index) == 0 && light_frames_.count(index) == 0);
   const size_t size = keyframe.points.size();
   ROVIO_CHECK(keyframe.tracks.size() == size && keyframe.sigmas.size() == size &&
@@ -87,6 +103,7 @@ void Session::AddKeyframe(uint32_t index, Keyframe keyframe) {
 }
 
 void Session::RemoveKeyframe(uint32_t index) {
+  ++revision_;
   for (uint32_t feature = 0; feature < keyframe(index).tracks.size(); ++feature) {
     const TrackId track = keyframe(index).tracks[feature];
     if (track == 0) continue;
@@ -105,12 +122,14 @@ void Session::RemoveKeyframe(uint32_t index) {
 }
 
 void Session::AddLightFrame(uint32_t index, LightFrame frame) {
+  ++revision_;
   ROVIO_CHECK(keyframes_.count(index) == 0 && keyframes_.count(frame.reference) == 1);
   light_frames_[index] = std::move(frame);
   MarkFrame(index);
 }
 
 void Session::SetPose(uint32_t index, const Rigid3& cam_from_session) {
+  ++revision_;
   Keyframe& frame = MutableKeyframe(index);
   frame.cam_from_session = cam_from_session;
   MarkFrame(index);
@@ -121,6 +140,7 @@ void Session::SetPose(uint32_t index, const Rigid3& cam_from_session) {
 }
 
 void Session::SetWeak(uint32_t index, bool weak) {
+  ++revision_;
   MutableKeyframe(index).weak = weak;
   MarkFrame(index);
 }
@@ -136,6 +156,7 @@ void Session::Observe(const Observation& observation, bool observed) {
 
 void Session::AddLandmark(TrackId track, const Eigen::Vector3d& position, Rgb color,
                           const std::vector<Observation>& observations) {
+  ++revision_;
   ROVIO_CHECK(observations.size() >= 2 && landmarks_.count(track) == 0);
   ROVIO_CHECK(tracks_.count(track) == 1);
   landmarks_[track] = {position, color, {}};
@@ -143,6 +164,7 @@ void Session::AddLandmark(TrackId track, const Eigen::Vector3d& position, Rgb co
 }
 
 void Session::RemoveLandmark(TrackId track) {
+  ++revision_;
   const auto it = landmarks_.find(track);
   ROVIO_CHECK(it != landmarks_.end());
   for (const Observation& observation : it->second.observations) Observe(observation, false);
@@ -151,11 +173,13 @@ void Session::RemoveLandmark(TrackId track) {
 }
 
 void Session::SetPosition(TrackId track, const Eigen::Vector3d& position) {
+  ++revision_;
   landmarks_.at(track).position = position;
   MarkLandmark(track);
 }
 
 void Session::AddObservation(TrackId track, const Observation& observation) {
+  ++revision_;
   ROVIO_CHECK(keyframe(observation.frame).tracks[observation.feature] == track);
   Insert(&landmarks_.at(track).observations, observation);
   Observe(observation, true);
@@ -163,6 +187,7 @@ void Session::AddObservation(TrackId track, const Observation& observation) {
 }
 
 void Session::RemoveObservation(TrackId track, const Observation& observation) {
+  ++revision_;
   Landmark& landmark = landmarks_.at(track);
   ROVIO_CHECK(Erase(&landmark.observations, observation));
   Observe(observation, false);
@@ -171,6 +196,7 @@ void Session::RemoveObservation(TrackId track, const Observation& observation) {
 }
 
 bool Session::MoveToTrack(const Observation& observation, TrackId track) {
+  ++revision_;
   Keyframe& frame = MutableKeyframe(observation.frame);
   const TrackId old = frame.tracks[observation.feature];
   if (frame.observed[observation.feature] || old == track) return false;
@@ -192,6 +218,7 @@ bool Session::HasMembersInOneFrame(TrackId a, TrackId b) const {
 }
 
 void Session::MergeMembers(TrackId from, TrackId to) {
+  ++revision_;
   const auto it = tracks_.find(from);
   if (it != tracks_.end()) {
     Track& target = tracks_[to];
@@ -239,6 +266,7 @@ bool Session::UniteLandmarks(TrackId a, TrackId b, const Eigen::Vector3d& positi
 SessionSnapshot Session::Snapshot() const {
   SessionSnapshot snapshot;
   snapshot.id = id_;
+  snapshot.revision = revision_;
   snapshot.map = {id_.value};
   snapshot.drive = drive_;
   snapshot.camera = camera_;

@@ -144,6 +144,44 @@ TEST(Session, MovesOnlyLoneUnobservedFeaturesToAnotherTrack) {
   ExpectValid(session);
 }
 
+// Every mutator; a snapshot tells the revision of what it shows.
+TEST(Session, EveryChangeRaisesTheRevision) {
+  Session session = TwoHalves();
+  session.AddLandmark(1, {0, 0, 1}, {}, {{0, 0}, {1, 0}});
+  session.AddLandmark(3, {0, 0, 1}, {}, {{2, 0}, {3, 0}});
+  uint64_t last = session.revision();
+  const auto expect_raised = [&](const char* what) {
+    EXPECT_GT(session.revision(), last) << what;
+    last = session.revision();
+  };
+  session.set_state(SessionState::kLost);
+  expect_raised("set_state");
+  session.set_scale(MapScale{2.0, 0.1, "odometry"});
+  expect_raised("set_scale");
+  session.set_odometry_delay(OdometryDelay{0.1, 0.01});
+  expect_raised("set_odometry_delay");
+  const uint32_t frame = session.keyframes().begin()->first;
+  session.SetPose(frame, Rigid3());
+  expect_raised("SetPose");
+  session.SetWeak(frame, true);
+  expect_raised("SetWeak");
+  const TrackId track = session.landmarks().begin()->first;
+  session.SetPosition(track, Eigen::Vector3d(1.0, 2.0, 3.0));
+  expect_raised("SetPosition");
+  session.RemoveObservation(track, session.landmarks().at(track).observations.front());
+  expect_raised("RemoveObservation");
+  EXPECT_TRUE(session.UniteTracks(1, 3));
+  expect_raised("UniteTracks");
+  LightFrame light;
+  light.reference = frame;
+  session.AddLightFrame(1000, light);
+  expect_raised("AddLightFrame");
+  session.RemoveKeyframe(frame);
+  expect_raised("RemoveKeyframe");
+  EXPECT_EQ(session.Snapshot().revision, last);
+  EXPECT_EQ(session.revision(), last) << "a snapshot changes nothing";
+}
+
 TEST(SessionDeathTest, EndsOnBreachesOfItsContract) {
   Session session = TwoHalves();
   EXPECT_DEATH(session.keyframe(17), "no keyframe 17");

@@ -59,6 +59,7 @@ using LandmarkBlock = std::vector<LandmarkSnapshot>;
 
 struct SessionSnapshot {
   SessionId id;
+  uint64_t revision = 0;  // Session::revision(); neither tells of the map it lies in
   MapId map;
   uint32_t gauge_revision = 0;
   DriveId drive;

@@ -81,6 +81,8 @@ class Session {
   const DriveId& drive() const { return drive_; }
   const Camera& camera() const { return camera_; }
   SessionState state() const { return state_; }
+  // Raised by every change: who keeps what it saw of a session compares.
+  uint64_t revision() const { return revision_; }
   const std::optional<MapScale>& scale() const { return scale_; }
   const std::optional<OdometryDelay>& odometry_delay() const { return odometry_delay_; }
   const std::map<uint32_t, Keyframe>& keyframes() const { return keyframes_; }
@@ -91,9 +93,9 @@ class Session {
   const Keyframe& keyframe(uint32_t index) const;
   const Landmark* FindLandmark(TrackId track) const;  // of the track's root; null if none
 
-  void set_state(SessionState state) { state_ = state; }
-  void set_scale(const MapScale& scale) { scale_ = scale; }
-  void set_odometry_delay(const std::optional<OdometryDelay>& delay) { odometry_delay_ = delay; }
+  void set_state(SessionState state);
+  void set_scale(const std::optional<MapScale>& scale);
+  void set_odometry_delay(const std::optional<OdometryDelay>& delay);
 
   // Adds a keyframe with its features' tracks; ids may be any alias. A second feature of one track
   // in the frame is left without a track.
@@ -141,6 +143,7 @@ class Session {
   DriveId drive_;
   Camera camera_;
   SessionState state_ = SessionState::kBootstrapping;
+  uint64_t revision_ = 0;
   std::optional<MapScale> scale_;
   std::optional<OdometryDelay> odometry_delay_;
   std::map<uint32_t, Keyframe> keyframes_;
