@@ -21,7 +21,7 @@ rovio_test(synthetic rovio_synthetic)
 
 rovio_library(rovio    LINKS rovio_scene CURL::libcurl)
 rovio_library(features LINKS rovio_scene ${OPENCV} PkgConfig::DLIB TEST_LINKS rovio_synthetic)
-rovio_library(matching LINKS rovio_scene ${OPENCV} TEST_LINKS rovio_synthetic)
+rovio_library(matching LINKS rovio_scene ${OPENCV} TEST_LINKS rovio_synthetic rovio_features)
 rovio_library(tracks   LINKS rovio_scene TEST_LINKS rovio_synthetic)
 rovio_library(sfm      LINKS rovio_scene ceres ${OPENCV} TEST_LINKS rovio_synthetic)
 rovio_library(places   LINKS rovio_scene ZLIB::ZLIB TEST_LINKS rovio_synthetic)

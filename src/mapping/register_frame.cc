@@ -105,7 +105,9 @@ void RefineLightFrames(const MapperOptions& options, Session* session) {
     refined.back().second.cam_from_reference = registration->cam_from_session * Inverse(reference);
     refined.back().second.num_inliers = registration->num_inliers;
   }
-  for (auto& [index, frame] : refined) session->AddLightFrame(index, std::move(frame));
+  for (const auto& [index, frame] : refined) {
+    session->SetLightPose(index, frame.reference, frame.cam_from_reference, frame.num_inliers);
+  }
 }
 
 }  // namespace rovio_sfm

@@ -85,6 +85,7 @@ void Session::AddKeyframe(uint32_t index, Keyframe keyframe) {
   const size_t size = keyframe.points.size();
   ROVIO_CHECK(keyframe.tracks.size() == size && keyframe.sigmas.size() == size &&
               keyframe.colors.size() == size);
+  keyframe.stamps.born = Epoch();
   keyframe.observed.assign(size, 0);
   keyframe.num_observed = 0;
   for (uint32_t feature = 0; feature < size; ++feature) {
@@ -112,11 +113,16 @@ void Session::RemoveKeyframe(uint32_t index) {
     Erase(&it->second.members, {index, feature});
     if (it->second.members.empty()) tracks_.erase(it);
   }
+  RememberKeyframe(index);
   keyframes_.erase(index);
   MarkFrame(index);
   for (auto it = light_frames_.begin(); it != light_frames_.end();) {
     const bool orphan = it->second.reference == index;
-    if (orphan) MarkFrame(it->first);
+    if (orphan) {
+      RememberLightPose(it->first);
+      RememberLightFrame(it->first);
+      MarkFrame(it->first);
+    }
     it = orphan ? light_frames_.erase(it) : std::next(it);
   }
 }
@@ -124,12 +130,15 @@ void Session::RemoveKeyframe(uint32_t index) {
 void Session::AddLightFrame(uint32_t index, LightFrame frame) {
   ++revision_;
   ROVIO_CHECK(keyframes_.count(index) == 0 && keyframes_.count(frame.reference) == 1);
+  RememberLightFrame(index);
+  frame.stamps.born = Epoch();
   light_frames_[index] = std::move(frame);
   MarkFrame(index);
 }
 
 void Session::SetPose(uint32_t index, const Rigid3& cam_from_session) {
   ++revision_;
+  RememberPose(index);
   Keyframe& frame = MutableKeyframe(index);
   frame.cam_from_session = cam_from_session;
   MarkFrame(index);
@@ -141,7 +150,20 @@ void Session::SetPose(uint32_t index, const Rigid3& cam_from_session) {
 
 void Session::SetWeak(uint32_t index, bool weak) {
   ++revision_;
+  RememberPose(index);
   MutableKeyframe(index).weak = weak;
+  MarkFrame(index);
+}
+
+void Session::SetLightPose(uint32_t index, uint32_t reference, const Rigid3& cam_from_reference,
+                           uint32_t num_inliers) {
+  ROVIO_CHECK(keyframes_.count(reference) == 1);
+  ++revision_;
+  RememberLightPose(index);
+  LightFrame& frame = light_frames_.at(index);
+  frame.reference = reference;
+  frame.cam_from_reference = cam_from_reference;
+  frame.num_inliers = num_inliers;
   MarkFrame(index);
 }
 
@@ -159,7 +181,7 @@ void Session::AddLandmark(TrackId track, const Eigen::Vector3d& position, Rgb co
   ++revision_;
   ROVIO_CHECK(observations.size() >= 2 && landmarks_.count(track) == 0);
   ROVIO_CHECK(tracks_.count(track) == 1);
-  landmarks_[track] = {position, color, {}};
+  landmarks_[track] = {position, color, {}, {Epoch(), Epoch(), Epoch()}};
   for (const Observation& observation : observations) AddObservation(track, observation);
 }
 
@@ -167,6 +189,7 @@ void Session::RemoveLandmark(TrackId track) {
   ++revision_;
   const auto it = landmarks_.find(track);
   ROVIO_CHECK(it != landmarks_.end());
+  RememberLandmark(track);
   for (const Observation& observation : it->second.observations) Observe(observation, false);
   landmarks_.erase(it);
   MarkLandmark(track);
@@ -174,6 +197,7 @@ void Session::RemoveLandmark(TrackId track) {
 
 void Session::SetPosition(TrackId track, const Eigen::Vector3d& position) {
   ++revision_;
+  RememberPosition(track);
   landmarks_.at(track).position = position;
   MarkLandmark(track);
 }
@@ -181,13 +205,15 @@ void Session::SetPosition(TrackId track, const Eigen::Vector3d& position) {
 void Session::AddObservation(TrackId track, const Observation& observation) {
   ++revision_;
   ROVIO_CHECK(keyframe(observation.frame).tracks[observation.feature] == track);
+  RememberLandmark(track);
   Insert(&landmarks_.at(track).observations, observation);
   Observe(observation, true);
   MarkLandmark(track);
 }
 
-void Session::RemoveObservation(TrackId track, const Observation& observation) {
+void Session::RemoveObservation(TrackId track, Observation observation) {
   ++revision_;
+  RememberLandmark(track);
   Landmark& landmark = landmarks_.at(track);
   ROVIO_CHECK(Erase(&landmark.observations, observation));
   Observe(observation, false);
@@ -205,6 +231,7 @@ bool Session::MoveToTrack(const Observation& observation, TrackId track) {
     if (tracks_.at(old).members.size() > 1) return false;
     tracks_.erase(old);
   }
+  RememberMember(observation);
   frame.tracks[observation.feature] = track;
   Insert(&tracks_.at(track).members, observation);
   return true;
@@ -224,11 +251,13 @@ void Session::MergeMembers(TrackId from, TrackId to) {
     Track& target = tracks_[to];
     for (const Observation& member : it->second.members) {
       Insert(&target.members, member);
+      RememberMember(member);
       MutableKeyframe(member.frame).tracks[member.feature] = to;
     }
     tracks_.erase(it);
   }
   alias_[from] = to;
+  if (!epochs_.empty()) epochs_.back().aliases.push_back(from);
 }
 
 bool Session::UniteTracks(TrackId a, TrackId b) {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
-#include "merging/two_drives.h"
+#include "rovio_sfm/scene/memory_frame_store.h"
+#include "synthetic/synthetic_drive.h"
+#include "synthetic/synthetic_session.h"
 
 namespace rovio_sfm {
 namespace {
@@ -26,15 +28,15 @@ TEST(FeatureGrid, FindsEveryPointOfTheWindow) {
 
 struct WindowSetup {
   WindowSetup()
-      : session(MappedSession(two, false, {})),
-        store(StoreOf(two)),
-        reader(store, session.drive()) {}
+      : session(MakeMappedSession(drive.world)), reader(store, drive.events[0].id.drive) {
+    for (const FrameEvent& event : drive.events) store.Put(event.id, event.features);
+  }
 
   FeatureWindow Window(const FeatureGrid& grid) {
     return {session.keyframe(5), grid, *reader.Of(5), 0.02};
   }
 
-  TwoDrives two = MakeTwoDrives();
+  SyntheticDrive drive = MakeSyntheticDrive({});
   Session session;
   MemoryFrameStore store;
   DescriptorReader reader;

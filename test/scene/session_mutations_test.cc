@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "rovio_sfm/scene/session.h"
 #include "synthetic/synthetic_session.h"
 
@@ -39,6 +41,12 @@ void AddRandomLightFrame(Session* session, Rng& rng) {
   light.reference = AnyKey(session->keyframes(), rng);
   light.cam_from_reference = PerturbPose({}, 0.1, 0.1, rng);
   session->AddLightFrame(index, light);
+}
+
+void ChangeRandomLightFrame(Session* session, Rng& rng) {
+  if (session->light_frames().empty()) return;
+  session->SetLightPose(AnyKey(session->light_frames(), rng), AnyKey(session->keyframes(), rng),
+                        PerturbPose({}, 0.1, 0.1, rng), rng.UniformInt(50));
 }
 
 void AddRandomLandmark(Session* session, Rng& rng) {
@@ -97,9 +105,9 @@ void ChangeRandomLandmark(Session* session, Rng& rng) {
 
 void MutateAtRandom(Session* session, Rng& rng) {
   constexpr void (*kMutations[])(Session*, Rng&) = {
-      AddRandomKeyframe,       AddRandomKeyframe,   AddRandomLightFrame, AddRandomLandmark,
-      AddRandomLandmark,       UniteRandomTracks,   MoveRandomFeature,   ChangeRandomKeyframe,
-      ToggleRandomObservation, ChangeRandomLandmark};
+      AddRandomKeyframe,       AddRandomKeyframe,    AddRandomLightFrame,   AddRandomLandmark,
+      AddRandomLandmark,       UniteRandomTracks,    MoveRandomFeature,     ChangeRandomKeyframe,
+      ToggleRandomObservation, ChangeRandomLandmark, ChangeRandomLightFrame};
   kMutations[rng.UniformInt(static_cast<uint32_t>(std::size(kMutations)))](session, rng);
 }
 
@@ -151,6 +159,76 @@ TEST(SessionMutations, KeepTheInvariantsAndTheSnapshotsFresh) {
     }
   }
   EXPECT_GT(most_landmarks, 5u);
+}
+
+// Everything of a session that the journal gives back, as text.
+std::string ContentOf(const Session& session) {
+  std::ostringstream out;
+  out.precision(17);
+  const auto write_pose = [&](const Rigid3& pose) {
+    out << pose.rotation.coeffs().transpose() << " " << pose.translation.transpose() << "\n";
+  };
+  const auto write_all = [&](const std::vector<Observation>& observations) {
+    for (const Observation& o : observations) out << " " << o.frame << "." << o.feature;
+    out << "\n";
+  };
+  for (const auto& [index, frame] : session.keyframes()) {
+    out << "keyframe " << index << " " << frame.weak << " " << frame.num_observed << " ";
+    for (const TrackId track : frame.tracks) out << track << " ";
+    for (const uint8_t observed : frame.observed) out << int{observed};
+    write_pose(frame.cam_from_session);
+  }
+  for (const auto& [index, frame] : session.light_frames()) {
+    out << "light " << index << " " << frame.reference << " " << frame.num_inliers << " ";
+    write_pose(frame.cam_from_reference);
+  }
+  for (const auto& [id, track] : session.tracks()) {
+    out << "track " << id;
+    write_all(track.members);
+  }
+  for (const auto& [id, landmark] : session.landmarks()) {
+    out << "landmark " << id << " " << landmark.position.transpose();
+    write_all(landmark.observations);
+  }
+  for (TrackId id = 1; id <= kNumTracks; ++id) out << session.RootOf(id) << " ";
+  if (session.scale()) out << session.scale()->metres_per_unit;
+  return out.str();
+}
+
+// The oracle is a deep copy. Marks are taken, and some given back, in any order that a stack
+// allows.
+TEST(SessionMutations, AreTakenBackToEveryMark) {
+  size_t num_restored = 0;
+  for (uint64_t seed = 1; seed <= 20; ++seed) {
+    Rng rng(seed);
+    Session session({1}, {"rovio", 1, 0}, MakeSyntheticCamera());
+    std::vector<std::pair<uint32_t, std::string>> marks;
+    for (int step = 0; step < 400; ++step) {
+      MutateAtRandom(&session, rng);
+      if (rng.UniformInt(20) == 0) {
+        const std::string content = ContentOf(session);
+        marks.emplace_back(session.Mark(), content);
+      }
+      if (marks.empty() || rng.UniformInt(40) != 0) continue;
+      const size_t chosen = rng.UniformInt(static_cast<uint32_t>(marks.size()));
+      const uint64_t revision = session.revision();
+      session.RestoreTo(marks[chosen].first);
+      ASSERT_EQ(ContentOf(session), marks[chosen].second) << "seed " << seed << ", step " << step;
+      ASSERT_EQ(CheckInvariants(session), "");
+      ASSERT_GT(session.revision(), revision);
+      ExpectFreshSnapshot(session);
+      marks.resize(chosen);
+      ++num_restored;
+    }
+  }
+  EXPECT_GT(num_restored, 100u);
+}
+
+TEST(SessionMutations, KeepNothingWithoutAMark) {
+  Rng rng(3);
+  Session session({1}, {"rovio", 1, 0}, MakeSyntheticCamera());
+  for (int step = 0; step < 300; ++step) MutateAtRandom(&session, rng);
+  EXPECT_EQ(session.NumJournalBytes(), 0u);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "rovio_sfm/scene/frame.h"
 #include "rovio_sfm/scene/ids.h"
 #include "rovio_sfm/scene/map_snapshot.h"
+#include "rovio_sfm/scene/session_journal.h"
 #include "rovio_sfm/scene/snapshot_blocks.h"
 
 namespace rovio_sfm {
@@ -39,6 +40,7 @@ struct Landmark {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // in the session, map units
   Rgb color{};
   std::vector<Observation> observations;  // sorted, one per frame, a subset of the track's members
+  EpochStamps stamps;                     // of the session's journal
 };
 
 // A registered keyframe.
@@ -55,6 +57,7 @@ struct Keyframe {
   std::vector<TrackId> tracks;          // one per feature, 0 none; always roots of the alias table
   std::vector<uint8_t> observed;        // 1 where the feature observes the landmark of its track
   uint32_t num_observed = 0;
+  EpochStamps stamps;  // of the session's journal
 };
 
 // A registered light frame: it only has a pose, kept relative to its reference keyframe so that it
@@ -68,6 +71,7 @@ struct LightFrame {
   std::vector<TrackId> tracks;
   std::vector<Eigen::Vector2d> points;  // normalised
   uint32_t num_inliers = 0;
+  EpochStamps stamps;  // of the session's journal
 };
 
 // All state of one session: consecutive frames of one drive in one gauge (the first camera's).
@@ -105,6 +109,8 @@ class Session {
   void AddLightFrame(uint32_t index, LightFrame frame);
   void SetPose(uint32_t index, const Rigid3& cam_from_session);
   void SetWeak(uint32_t index, bool weak);
+  void SetLightPose(uint32_t index, uint32_t reference, const Rigid3& cam_from_reference,
+                    uint32_t num_inliers);
 
   // A landmark for a track; observations must be members of it, two at least.
   void AddLandmark(TrackId track, const Eigen::Vector3d& position, Rgb color,
@@ -114,7 +120,7 @@ class Session {
   // Adds a member of the landmark's track as an observation of it.
   void AddObservation(TrackId track, const Observation& observation);
   // Removes an observation (the feature stays a member); a landmark left with fewer than two goes.
-  void RemoveObservation(TrackId track, const Observation& observation);
+  void RemoveObservation(TrackId track, Observation observation);
 
   // Puts a feature without a track, or alone in its own, into another track that has no member in
   // its frame. False if that does not hold.
@@ -132,12 +138,30 @@ class Session {
   // A snapshot that shares the blocks which did not change since the last one.
   SessionSnapshot Snapshot() const;
 
+  // From now on the journal keeps what is changed, so that RestoreTo can give it back.
+  uint32_t Mark();
+  // Frames, tracks, landmarks and scale are again what they were at the mark, to the byte; state
+  // and odometry delay stay. That mark and later ones are gone.
+  void RestoreTo(uint32_t mark);
+  // What the journal keeps, bytes.
+  size_t NumJournalBytes() const;
+
  private:
   Keyframe& MutableKeyframe(uint32_t index);
   void Observe(const Observation& observation, bool observed);
   void MarkLandmark(TrackId track) const;
   void MarkFrame(uint32_t index) const;
   void MergeMembers(TrackId from, TrackId to);
+  uint32_t Epoch() const { return epochs_.empty() ? 0 : epochs_.back().number; }
+  void RememberPose(uint32_t index);
+  void RememberMember(const Observation& member);
+  void RememberLandmark(TrackId track);
+  void RememberPosition(TrackId track);
+  void RememberLightPose(uint32_t index);
+  void RememberKeyframe(uint32_t index);
+  void RememberLightFrame(uint32_t index);
+  void Undo(const SessionEpoch& epoch);
+  void RebuildTracks();
 
   SessionId id_;
   DriveId drive_;
@@ -151,6 +175,9 @@ class Session {
   std::map<TrackId, Track> tracks_;
   std::map<TrackId, Landmark> landmarks_;
   std::unordered_map<TrackId, TrackId> alias_;  // look-up only
+
+  std::vector<SessionEpoch> epochs_;  // the journal; the last one is written
+  uint32_t num_marks_ = 0;
 
   // Blocks of the last snapshot by number (id / block size); a missing one changed since.
   mutable FrameBlocks frame_blocks_;

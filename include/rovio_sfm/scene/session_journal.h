@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "rovio_sfm/geometry/rigid3.h"
+#include "rovio_sfm/scene/ids.h"
+#include "rovio_sfm/scene/map_snapshot.h"
+
+namespace rovio_sfm {
+
+struct Keyframe;
+struct Landmark;
+struct LightFrame;
+
+// In which epoch a part of a session was born, and first moved or changed otherwise. 0: before the
+// first mark.
+struct EpochStamps {
+  uint32_t born = 0, moved = 0, changed = 0;
+};
+
+// What a session was at a mark, as far as it changed before the next one: the values that were
+// replaced, oldest first. What was born since is known by its stamps and needs no entry.
+struct SessionEpoch {
+  struct PoseBefore {
+    uint32_t frame = 0;
+    bool weak = false;
+    Rigid3 cam_from_session;
+  };
+  struct LightPoseBefore {
+    uint32_t frame = 0, reference = 0, num_inliers = 0;
+    Rigid3 cam_from_reference;
+  };
+  struct MemberBefore {
+    uint32_t frame = 0, feature = 0;
+    TrackId track = 0;
+  };
+  template <typename Key, typename Part>
+  using Parts = std::vector<std::pair<Key, std::shared_ptr<const Part>>>;
+
+  // How many bytes the entries take, without what keyframes and landmarks point to.
+  size_t NumBytes() const;
+  // No more entries come.
+  void Shrink();
+
+  uint32_t number = 0;
+  std::optional<MapScale> scale;
+  std::vector<PoseBefore> poses;
+  std::vector<LightPoseBefore> light_poses;
+  std::vector<MemberBefore> members;
+  std::vector<std::pair<TrackId, Eigen::Vector3d>> positions;
+  Parts<TrackId, Landmark> landmarks;        // those whose observations changed, or that went
+  Parts<uint32_t, Keyframe> keyframes;       // those that went
+  Parts<uint32_t, LightFrame> light_frames;  // those that went, or were replaced
+  std::vector<TrackId> aliases;              // that came
+};
+
+}  // namespace rovio_sfm
