@@ -7,14 +7,8 @@
 namespace rovio_sfm {
 
 Mapper::Mapper(const MapOptions& options, FrameStore* store, Executor* executor, StageTimes* times)
-    : options_(options),
-      context_{options,
-               store,
-               executor,
-               times,
-               [this] { return SessionId{++num_sessions_}; },
-               UpdateOdometryDelay},
-      merger_(options, store) {
+    : options_(options), keeper_(options, store), context_{options,  store, keeper_.LendSessions(),
+                                                           executor, times, UpdateOdometryDelay} {
   std::string error;
   ROVIO_CHECK(options.IsValid(&error), error);
 }
@@ -28,16 +22,14 @@ MapperReport Mapper::Add(const FrameEvent& event) {
   if (report.outcome == MapperOutcome::kHeld) TrySeed(event.id.drive);
   if (report.outcome == MapperOutcome::kHeld || report.outcome == MapperOutcome::kKeyframe) {
     const auto scope = MeasureStage(context_.times, "merge");
-    merger_.Advance(Sessions());
-    Settle();
+    keeper_.Advance();
   }
   return report;
 }
 
 void Mapper::Add(const PlaceMatch& match) {
   const auto scope = MeasureStage(context_.times, "merge");
-  merger_.Add(match, Sessions());
-  Settle();
+  keeper_.Add(match);
 }
 
 void Mapper::AddSeeded(const std::vector<FrameEvent>& events,
@@ -47,56 +39,26 @@ void Mapper::AddSeeded(const std::vector<FrameEvent>& events,
   ROVIO_CHECK(drive == nullptr, "the drive is mapped already");
   drive = std::make_unique<DriveMapper>(context_, events.front().id.drive, events.front().camera);
   drive->HoldAll(events);
-  if (!matches.empty()) drive->Seed(matches, Sessions());
+  if (!matches.empty()) drive->Seed(matches);
   drive->Finish();
   for (const PlaceMatch& match : matches) Add(match);
 }
 
 MergeReport Mapper::Merge(SessionId a, SessionId b, bool force) {
-  MergeReport report = merger_.Merge(a, b, force, Sessions());
-  Settle();
-  return report;
+  return keeper_.Merge(a, b, force);
 }
 
 MergeReport Mapper::MergeAt(SessionId a, SessionId b, const Sim3& b_from_a) {
-  MergeReport report = merger_.MergeAt(a, b, b_from_a, Sessions());
-  Settle();
-  return report;
+  return keeper_.MergeAt(a, b, b_from_a);
 }
 
-std::vector<MergeReport> Mapper::Unmerge(SessionId id) {
-  std::vector<MergeReport> reports = merger_.Unmerge(id, Sessions());
-  Settle();
-  return reports;
-}
+std::vector<MergeReport> Mapper::Unmerge(SessionId id) { return keeper_.Unmerge(id); }
 
 void Mapper::TrySeed(const DriveId& drive) {
   DriveMapper& mapper = *drives_.at(drive);
   if (!mapper.HoldsFrames(options_.merge.seed_after)) return;
-  const std::vector<PlaceMatch> matches = merger_.WaitingFor(drive);
-  if (!matches.empty()) mapper.Seed(matches, Sessions());
-}
-
-SessionTable Mapper::Sessions() const {
-  SessionTable table;
-  for (const auto& [id, drive] : drives_) {
-    for (const auto& session : drive->sessions()) table.Add(session.get());
-  }
-  return table;
-}
-
-DriveMapper* Mapper::DriveOf(SessionId id) const {
-  for (const auto& [drive_id, drive] : drives_) {
-    for (const auto& session : drive->sessions()) {
-      if (session->id() == id) return drive.get();
-    }
-  }
-  return nullptr;
-}
-
-// Tells the drives whose sessions merging has changed.
-void Mapper::Settle() {
-  for (const SessionId id : merger_.TakeChanged()) DriveOf(id)->OnSessionChanged(id);
+  const std::vector<PlaceMatch> matches = keeper_.WaitingFor(drive);
+  if (!matches.empty()) mapper.Seed(matches);
 }
 
 bool Mapper::FinishSession(const DriveId& drive) {
@@ -114,35 +76,35 @@ void Mapper::Finish() {
     drive->Finish();
   }
   AdjustMaps();
-  merger_.GiveUpWaiting();
+  keeper_.GiveUpWaiting();
 }
 
 // A session's own final adjustment knows nothing of the others: the maps they share are adjusted
 // once more, together.
 void Mapper::AdjustMaps() {
   const auto scope = MeasureStage(context_.times, "merge");
-  const SessionTable sessions = Sessions();
-  merger_.Advance(sessions);
-  merger_.AdjustFinally(sessions);
-  for (const SessionId id : merger_.TakeChanged()) {
-    DriveOf(id)->OnSessionChanged(id);
-    RefineLightFrames(options_, sessions.Find(id));
+  std::map<SessionId, uint64_t> revisions;
+  for (const auto& [id, session] : keeper_.sessions().all()) revisions[id] = session->revision();
+  keeper_.Advance();
+  keeper_.AdjustFinally();
+  for (const auto& [id, revision] : revisions) {
+    Session* session = keeper_.LendSessions()->Lend(id);
+    if (session->revision() != revision) RefineLightFrames(options_, session);
   }
 }
 
 std::shared_ptr<const MapSnapshot> Mapper::Snapshot() const {
   auto snapshot = std::make_shared<MapSnapshot>();
   snapshot->version = ++version_;
-  const SessionTable sessions = Sessions();
-  for (const auto& [id, session] : sessions.all()) {
-    const MapPlace place = merger_.PlaceOf(id);
+  for (const auto& [id, session] : keeper_.sessions().all()) {
+    const MapPlace place = keeper_.PlaceOf(id);
     snapshot->sessions.push_back(session->Snapshot());
     snapshot->sessions.back().map = place.map;
     snapshot->sessions.back().map_from_session = place.map_from_session;
     snapshot->sessions.back().gauge_revision = place.revision;
   }
   ShareScales(&snapshot->sessions);
-  snapshot->shared_landmarks = merger_.shared_landmarks();
+  snapshot->shared_landmarks = keeper_.shared_landmarks();
   return snapshot;
 }
 

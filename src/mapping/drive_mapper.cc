@@ -31,6 +31,7 @@ DriveMapper::DriveMapper(const MapperContext& context, DriveId drive, Camera cam
 }
 
 MapperReport DriveMapper::Add(const FrameEvent& event) {
+  Settle();
   MapperReport report;
   const auto reason = Refuse(event);
   if (!reason && current().state() == SessionState::kFinished) OpenSession();
@@ -50,7 +51,16 @@ MapperReport DriveMapper::Add(const FrameEvent& event) {
     }
   }
   report.session = current().id();
+  settled_revision_ = current().revision();
   return report;
+}
+
+// What was computed from the session is forgotten where it was changed from outside (merged,
+// undone).
+void DriveMapper::Settle() {
+  if (current().revision() == settled_revision_ || current().keyframes().empty()) return;
+  global_.Abandon();
+  if (last_pose_) last_pose_ = current().keyframes().rbegin()->second.cam_from_session;
 }
 
 std::optional<std::string> DriveMapper::Refuse(const FrameEvent& event) {
@@ -90,10 +100,11 @@ bool DriveMapper::Start(const BootstrapPair& pair) {
   return true;
 }
 
-bool DriveMapper::Seed(const std::vector<PlaceMatch>& matches, const SessionTable& sessions) {
+bool DriveMapper::Seed(const std::vector<PlaceMatch>& matches) {
   if (current().state() != SessionState::kBootstrapping) return false;
-  if (!SeedSession(held_, matches, sessions, context_.options, &current())) return false;
+  if (!SeedSession(held_, matches, *context_.sessions, context_.options, &current())) return false;
   EnterMap(current().keyframes().begin()->first);
+  settled_revision_ = current().revision();
   return true;
 }
 
@@ -130,14 +141,8 @@ void DriveMapper::HoldAll(const std::vector<FrameEvent>& events) {
 }
 
 bool DriveMapper::HoldsFrames(int min_count) const {
-  return sessions_.back()->state() == SessionState::kBootstrapping &&
+  return current_->state() == SessionState::kBootstrapping &&
          held_.size() >= static_cast<size_t>(min_count);
-}
-
-void DriveMapper::OnSessionChanged(SessionId id) {
-  if (!(current().id() == id) || current().keyframes().empty()) return;
-  global_.Abandon();
-  if (last_pose_) last_pose_ = current().keyframes().rbegin()->second.cam_from_session;
 }
 
 void DriveMapper::InsertHeld(const FrameEvent& event) {
@@ -264,7 +269,7 @@ void DriveMapper::PoseWaitingLightFrames() {
 
 void DriveMapper::OpenSession() {
   num_waited_ = 0;
-  sessions_.push_back(std::make_unique<Session>(context_.new_session_id(), drive_, camera_));
+  current_ = &context_.sessions->Open(drive_, camera_);
   global_ = GlobalAdjustment(context_.options, context_.executor);
 }
 
@@ -284,6 +289,7 @@ void DriveMapper::CloseSession(SessionState state) {
 }
 
 void DriveMapper::Finish() {
+  Settle();
   if (current().state() == SessionState::kBootstrapping && !held_.empty()) {
     BootstrapOptions bootstrap = context_.options.bootstrap;
     bootstrap.min_angle_deg = bootstrap.hurried_angle_deg;
@@ -293,6 +299,7 @@ void DriveMapper::Finish() {
   if (current().state() == SessionState::kMapping) RetryWeakFrames(0);
   CloseSession(SessionState::kFinished);
   held_.clear();
+  settled_revision_ = current().revision();
 }
 
 }  // namespace rovio_sfm

@@ -23,7 +23,7 @@ const FrameEvent* FindHeld(const std::deque<FrameEvent>& held, const FrameId& id
 }
 
 // The session that the matches show most of; null if none is mapped.
-Session* ChooseSession(const std::vector<PlaceMatch>& matches, const SessionTable& sessions) {
+const Session* ChooseSession(const std::vector<PlaceMatch>& matches, const SessionTable& sessions) {
   std::map<SessionId, size_t> shared;
   for (const PlaceMatch& match : matches) {
     for (const OverlapPair& pair : match.pairs) {
@@ -31,7 +31,7 @@ Session* ChooseSession(const std::vector<PlaceMatch>& matches, const SessionTabl
       if (holder != nullptr) shared[holder->id()] += pair.inliers.size();
     }
   }
-  Session* best = nullptr;
+  const Session* best = nullptr;
   for (const auto& [id, count] : shared) {
     if (best == nullptr || count > shared.at(best->id())) best = sessions.Find(id);
   }

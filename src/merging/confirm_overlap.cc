@@ -12,9 +12,9 @@ namespace {
 using LandmarkSet = std::set<std::pair<SessionId, TrackId>>;
 
 // The landmarks that the overlap links, of both sessions.
-LandmarkSet LandmarksOf(const MergeRecord& record, const SessionTable& sessions) {
+LandmarkSet LandmarksOf(const MergeEdit& edit, const SessionTable& sessions) {
   LandmarkSet landmarks;
-  for (const FeatureLink& link : record.links) {
+  for (const FeatureLink& link : edit.links) {
     for (const FeatureRef& feature : {link.a, link.b}) {
       const Session* session = sessions.Find(feature.session);
       if (session == nullptr || ObservedLandmark(*session, feature) == nullptr) continue;
@@ -24,7 +24,7 @@ LandmarkSet LandmarksOf(const MergeRecord& record, const SessionTable& sessions)
   return landmarks;
 }
 
-double SharedShare(const MergeRecord& x, const MergeRecord& y, const SessionTable& sessions) {
+double SharedShare(const MergeEdit& x, const MergeEdit& y, const SessionTable& sessions) {
   const LandmarkSet of_x = LandmarksOf(x, sessions), of_y = LandmarksOf(y, sessions);
   size_t shared = 0;
   for (const auto& landmark : of_x) shared += of_y.count(landmark);
@@ -32,11 +32,11 @@ double SharedShare(const MergeRecord& x, const MergeRecord& y, const SessionTabl
   return smaller == 0 ? 1.0 : static_cast<double>(shared) / static_cast<double>(smaller);
 }
 
-// What another overlap says of where the record's sessions lie; nothing if it joins other maps.
+// What another overlap says of where the edit's sessions lie; nothing if it joins other maps.
 std::optional<Sim3> SaidBy(const MergeReport& other, const MergeReport& mine,
-                           const MergeLedger& ledger) {
-  const MapPlace a = ledger.PlaceOf(mine.other_session), b = ledger.PlaceOf(mine.query_session);
-  const MapPlace c = ledger.PlaceOf(other.other_session), d = ledger.PlaceOf(other.query_session);
+                           const MergeList& list) {
+  const MapPlace a = list.PlaceOf(mine.other_session), b = list.PlaceOf(mine.query_session);
+  const MapPlace c = list.PlaceOf(other.other_session), d = list.PlaceOf(other.query_session);
   Sim3 map_b_from_map_a = d.map_from_session * other.query_from_other * Inverse(c.map_from_session);
   if (c.map == b.map && d.map == a.map) {
     map_b_from_map_a = Inverse(map_b_from_map_a);
@@ -53,12 +53,12 @@ bool IsSmall(const LoopGap& gap, const MergeOptions& options) {
          gap.rotation_rad <= options.max_rotation_gap_deg * M_PI / 180.0;
 }
 
-LoopStatement MeasureLoop(const MergeReport& report, const MergeLedger& ledger,
+LoopStatement MeasureLoop(const MergeReport& report, const MergeList& list,
                           const SessionTable& sessions) {
   const Session &a = *sessions.Find(report.other_session),
                 &b = *sessions.Find(report.query_session);
   const Sim3 known_b_from_a =
-      Inverse(ledger.PlaceOf(b.id()).map_from_session) * ledger.PlaceOf(a.id()).map_from_session;
+      Inverse(list.PlaceOf(b.id()).map_from_session) * list.PlaceOf(a.id()).map_from_session;
   LoopStatement statement;
   statement.gap = MeasureGap(b, report.query.index, report.query_from_other, known_b_from_a);
   if (a.id() == b.id()) {
@@ -71,18 +71,18 @@ LoopStatement MeasureLoop(const MergeReport& report, const MergeLedger& ledger,
   return statement;
 }
 
-MergeRecord* FindConfirmation(const MergeRecord& record, const MergeOptions& options,
-                              const SessionTable& sessions, MergeLedger* ledger) {
-  const MergeReport& mine = record.report;
+MergeEdit* FindConfirmation(const MergeEdit& edit, const MergeOptions& options,
+                            const SessionTable& sessions, MergeList* list) {
+  const MergeReport& mine = edit.report;
   const Session& query = *sessions.Find(mine.query_session);
   const double max_distance = options.max_scale_gap * MedianDepth(query, mine.query.index);
-  for (MergeRecord& other : ledger->records()) {
-    if (other.report.verdict != MergeVerdict::kProvisional || &other == &record) continue;
-    const std::optional<Sim3> said = SaidBy(other.report, mine, *ledger);
+  for (MergeEdit& other : list->edits()) {
+    if (other.report.verdict != MergeVerdict::kProvisional || &other == &edit) continue;
+    const std::optional<Sim3> said = SaidBy(other.report, mine, *list);
     if (!said) continue;
     const LoopGap gap = MeasureGap(query, mine.query.index, mine.query_from_other, *said);
     if (!IsSmall(gap, options) || gap.distance > max_distance) continue;
-    if (SharedShare(record, other, sessions) <= options.max_shared_landmarks) return &other;
+    if (SharedShare(edit, other, sessions) <= options.max_shared_landmarks) return &other;
   }
   return nullptr;
 }

@@ -1,6 +1,8 @@
 #include "rovio_sfm/merging/undo_merge.h"
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -11,8 +13,26 @@
 namespace rovio_sfm {
 namespace {
 
-// Where the session as it is now lies in what it was.
-Sim3 BeforeFromNow(const Session& before, const Session& now) {
+bool IsOf(const MergeEdit& edit, SessionId id) {
+  return edit.report.query_session == id || edit.report.other_session == id;
+}
+
+bool JoinsTwoSessions(const MergeEdit& edit) {
+  return !(edit.report.query_session == edit.report.other_session);
+}
+
+std::vector<MergeEdit*> InOrderOfAcceptance(MergeList* list) {
+  std::vector<MergeEdit*> accepted;
+  for (MergeEdit& edit : list->edits()) {
+    if (edit.IsAccepted()) accepted.push_back(&edit);
+  }
+  std::sort(accepted.begin(), accepted.end(),
+            [](const MergeEdit* a, const MergeEdit* b) { return a->sequence < b->sequence; });
+  return accepted;
+}
+
+// Where the session as it is now lies in what it was; nothing where too little is in both.
+std::optional<Sim3> BeforeFromNow(const Session& before, const Session& now) {
   std::vector<Eigen::Vector3d> points_now, points_before;
   for (const auto& [id, landmark] : before.landmarks()) {
     const auto it = now.landmarks().find(id);
@@ -26,17 +46,21 @@ Sim3 BeforeFromNow(const Session& before, const Session& now) {
     points_now.push_back(OriginInA(it->second.cam_from_session));
     points_before.push_back(OriginInA(frame.cam_from_session));
   }
-  return AlignPoints(points_now, points_before).value_or(Sim3{});
+  return AlignPoints(points_now, points_before);
 }
 
-// The keyframes that came since, at the same place relative to the others; returns their indices.
-std::vector<uint32_t> AddLaterKeyframes(const Session& now, const Sim3& before_from_now,
+// The keyframes that came since, at the same place relative to the others (where that is unknown:
+// in the session's gauge of now, until they are resected); returns their indices.
+std::vector<uint32_t> AddLaterKeyframes(const Session& now,
+                                        const std::optional<Sim3>& before_from_now,
                                         Session* restored) {
   std::vector<uint32_t> added;
   for (const auto& [index, frame] : now.keyframes()) {
     if (restored->keyframes().count(index) != 0) continue;
     Keyframe moved = frame;
-    moved.cam_from_session = TransformCamera(before_from_now, frame.cam_from_session);
+    if (before_from_now) {
+      moved.cam_from_session = TransformCamera(*before_from_now, frame.cam_from_session);
+    }
     restored->AddKeyframe(index, std::move(moved));
     added.push_back(index);
   }
@@ -73,25 +97,44 @@ void AddLaterLandmarks(const Session& now, const std::vector<uint32_t>& later,
 
 }  // namespace
 
-void RestoreSession(const Session& before, const MapperOptions& options, Session* session) {
-  Session restored = before;
-  const Sim3 before_from_now = BeforeFromNow(before, *session);
-  const std::vector<uint32_t> later = AddLaterKeyframes(*session, before_from_now, &restored);
-  AddLaterLandmarks(*session, later, before_from_now, &restored);
-  for (const uint32_t index : later) {
-    if (restored.keyframe(index).weak) continue;
-    const auto registration = RegisterAgain(index, options, restored);
-    if (registration) restored.SetPose(index, registration->cam_from_session);
-  }
-  for (const auto& [index, frame] : session->light_frames()) {
-    const bool is_new = restored.light_frames().count(index) == 0;
-    if (is_new && restored.keyframes().count(frame.reference) != 0) {
-      restored.AddLightFrame(index, frame);
+UndoPlan PlanUndo(SessionId id, MergeList* list) {
+  UndoPlan plan;
+  std::set<SessionId> touched;
+  for (MergeEdit* edit : InOrderOfAcceptance(list)) {
+    const bool is_meant = JoinsTwoSessions(*edit) && IsOf(*edit, id);
+    const bool is_touched = touched.count(edit->report.query_session) != 0 ||
+                            touched.count(edit->report.other_session) != 0;
+    if (!is_meant && !is_touched) continue;
+    (is_meant ? plan.undone : plan.repeated).push_back(edit);
+    for (const auto& [session, mark] : edit->marks) {
+      touched.insert(session);
+      plan.marks.try_emplace(session, mark);
     }
   }
-  restored.set_state(session->state());
-  restored.set_odometry_delay(session->odometry_delay());
-  *session = std::move(restored);
+  return plan;
+}
+
+void RestoreSession(uint32_t mark, const MapperOptions& options, Session* session) {
+  const Session now = *session;
+  session->RestoreTo(mark);
+  const std::optional<Sim3> before_from_now = BeforeFromNow(*session, now);
+  const std::vector<uint32_t> later = AddLaterKeyframes(now, before_from_now, session);
+  if (before_from_now) AddLaterLandmarks(now, later, *before_from_now, session);
+  for (const uint32_t index : later) {
+    if (session->keyframe(index).weak) continue;
+    const auto registration = RegisterAgain(index, options, *session);
+    if (registration) {
+      session->SetPose(index, registration->cam_from_session);
+    } else if (!before_from_now) {
+      session->SetWeak(index, true);
+    }
+  }
+  for (const auto& [index, frame] : now.light_frames()) {
+    const bool is_new = session->light_frames().count(index) == 0;
+    if (is_new && session->keyframes().count(frame.reference) != 0) {
+      session->AddLightFrame(index, frame);
+    }
+  }
 }
 
 }  // namespace rovio_sfm

@@ -69,7 +69,7 @@ void Session::set_state(SessionState state) {
   state_ = state;
 }
 
-void Session::set_scale(const std::optional<MapScale>& scale) {
+void Session::set_scale(const MapScale& scale) {
   ++revision_;
   scale_ = scale;
 }

@@ -5,43 +5,43 @@
 
 #include "app/explored_land.h"
 #include "rovio_sfm/geometry/essential.h"
-#include "rovio_sfm/merging/map_merger.h"
+#include "rovio_sfm/merging/map_keeper.h"
 
 namespace rovio_sfm {
 namespace {
 
 constexpr uint32_t kThingPoints = 60;
 
-// Explored lands (one or two) under a merger.
+// Explored lands (one or two) under a keeper.
 struct Merging {
   explicit Merging(std::vector<Explored> explored_lands) : explored(std::move(explored_lands)) {
     for (Explored& each : explored) {
-      table.Add(&each.session);
+      keeper.LendSessions()->Adopt(each.session);
       for (const FrameEvent& event : each.events) store.Put(event.id, event.features);
     }
   }
 
-  Merging(const Merging&) = delete;  // the merger points into it
+  Merging(const Merging&) = delete;  // the keeper points into it
   Merging& operator=(const Merging&) = delete;
 
-  void Add(const PlaceMatch& match) { merger.Add(match, table); }
+  void Add(const PlaceMatch& match) { keeper.Add(match); }
   bool InOneMap() const {
-    return merger.PlaceOf(explored[0].session.id()).map ==
-           merger.PlaceOf(explored[1].session.id()).map;
+    return keeper.PlaceOf(explored[0].session.id()).map ==
+           keeper.PlaceOf(explored[1].session.id()).map;
   }
   std::string Bytes() const {
     std::string bytes;
-    for (const Explored& each : explored) bytes += BytesOf(each.session);
+    for (const auto& [id, session] : keeper.sessions().all()) bytes += BytesOf(*session);
     return bytes;
   }
   // The verdicts so far, and what was said of an accepted one.
   std::set<MergeVerdict> Verdicts() const {
     std::set<MergeVerdict> verdicts;
-    for (const MergeReport& report : merger.Reports()) verdicts.insert(report.verdict);
+    for (const MergeReport& report : keeper.Reports()) verdicts.insert(report.verdict);
     return verdicts;
   }
   std::string WhyAccepted() const {
-    for (const MergeReport& report : merger.Reports()) {
+    for (const MergeReport& report : keeper.Reports()) {
       if (report.verdict == MergeVerdict::kAccepted) return report.reason;
     }
     return "";
@@ -49,8 +49,7 @@ struct Merging {
 
   std::vector<Explored> explored;
   MemoryFrameStore store;
-  SessionTable table;
-  MapMerger merger{MapOptions(), &store};
+  MapKeeper keeper{MapOptions(), &store};
 };
 
 // The thing of so many looks, somewhere; the first look tells things apart.
@@ -87,7 +86,7 @@ TEST(AdversarialMerge, TwoWorldsThatShareThreeThingsStayApart) {
       }
     }
   }
-  EXPECT_EQ(merging.merger.num_repeated(), 0u);
+  EXPECT_EQ(merging.keeper.num_repeated(), 0u);
   EXPECT_FALSE(merging.InOneMap()) << merging.WhyAccepted();
   EXPECT_EQ(merging.Bytes(), before);
 }
@@ -198,7 +197,7 @@ TEST(AdversarialMerge, TheSamePlaceIsJoinedAtOnce) {
   Put(1, PutAt(0.6, 0.0, 2.2), &land);
   Merging merging({Explore(1, land, {}), Explore(2, land, OtherGauge())});
   merging.Add(MatchLooks(merging.explored[0], 9, merging.explored[1], 10));
-  EXPECT_TRUE(merging.InOneMap()) << merging.merger.Reports()[0].reason;
+  EXPECT_TRUE(merging.InOneMap()) << merging.keeper.Reports()[0].reason;
 }
 
 }  // namespace

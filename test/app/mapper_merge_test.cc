@@ -141,5 +141,45 @@ TEST(MapperMerge, SaysAtTheEndWhatWaitedInVain) {
   EXPECT_NE(driving.mapper.MergeReports()[0].reason.find("/999 has no pose"), std::string::npos);
 }
 
+// Frame `query` and frame `other` of the second drive show the same place.
+PlaceMatch OverlapWithin(const TwoDrives& two, uint32_t other, uint32_t query) {
+  PlaceMatch match;
+  match.query = two.b[query].id;
+  OverlapPair pair;
+  pair.other = two.b[other].id;
+  pair.verdict = PairVerdict::kGeneral;
+  pair.inliers = TrueMatches(two.world, CameraOf(true, other), CameraOf(true, query));
+  match.pairs.push_back(pair);
+  return match;
+}
+
+// Three sessions, each of which overlaps the two others: the loops that tie one to the others go
+// with its merge.
+TEST(MapperMerge, ASessionThatOverlapsAllOthersIsOutAtTheFirstCall) {
+  SyntheticDriveOptions options = TwoDrivesOptions();
+  options.world.num_cams = 48;
+  options.world.step = 0.1;
+  const TwoDrives two = MakeTwoDrives(options);
+  MemoryFrameStore store;
+  Executor executor{0};
+  Mapper mapper{{}, &store, &executor};
+  for (const FrameEvent& event : two.a) mapper.Add(event);
+  for (size_t i = 0; i < two.b.size(); ++i) {
+    if (i == 12) mapper.FinishSession(two.b[0].id.drive);
+    mapper.Add(two.b[i]);
+  }
+  mapper.Finish();
+  mapper.Add(TrueOverlap(two, 6, 6));
+  mapper.Add(TrueOverlap(two, 18, 18));
+  mapper.Add(OverlapWithin(two, 10, 13));
+  auto snapshot = mapper.Snapshot();
+  ASSERT_EQ(snapshot->sessions.size(), 3u);
+  ASSERT_EQ(snapshot->sessions[2].map, snapshot->sessions[0].map);
+  EXPECT_EQ(mapper.Unmerge(SessionId{3}).size(), 2u) << "its merge, and its loop with session 2";
+  snapshot = mapper.Snapshot();
+  EXPECT_EQ(snapshot->sessions[1].map, snapshot->sessions[0].map);
+  EXPECT_FALSE(snapshot->sessions[2].map == snapshot->sessions[0].map);
+}
+
 }  // namespace
 }  // namespace rovio_sfm

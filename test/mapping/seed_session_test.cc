@@ -8,15 +8,15 @@ namespace rovio_sfm {
 namespace {
 
 struct Held {
-  Held() : a(MappedSession(two, false, OtherGauge())), b({2}, two.b[0].id.drive, two.world.camera) {
-    table.Add(&a);
-    table.Add(&b);
+  Held()
+      : a(table.Adopt(MappedSession(two, false, OtherGauge()))),
+        b(table.Open(two.b[0].id.drive, two.world.camera)) {
     held.assign(two.b.begin() + 5, two.b.begin() + 10);
   }
 
   TwoDrives two = MakeTwoDrives();
-  Session a, b;
   SessionTable table;
+  Session &a, &b;
   std::deque<FrameEvent> held;
 };
 

@@ -27,8 +27,7 @@ TEST(FeatureGrid, FindsEveryPointOfTheWindow) {
 }
 
 struct WindowSetup {
-  WindowSetup()
-      : session(MakeMappedSession(drive.world)), reader(store, drive.events[0].id.drive) {
+  WindowSetup() : session(MakeMappedSession(drive.world)), reader(store, drive.events[0].id.drive) {
     for (const FrameEvent& event : drive.events) store.Put(event.id, event.features);
   }
 

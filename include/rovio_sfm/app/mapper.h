@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rovio_sfm/mapping/drive_mapper.h"
-#include "rovio_sfm/merging/map_merger.h"
+#include "rovio_sfm/merging/map_keeper.h"
 #include "rovio_sfm/merging/map_options.h"
 #include "rovio_sfm/scene/events.h"
 #include "rovio_sfm/scene/frame_store.h"
@@ -36,16 +36,16 @@ class Mapper {
   // matches of its frames say, forward from there, then in reverse; where no match carries, from
   // its own best pair. The drive is finished then.
   void AddSeeded(const std::vector<FrameEvent>& events, const std::vector<PlaceMatch>& matches);
-  // By request; see MapMerger. The report says what was done, or why not.
+  // By request; see MapKeeper. The report says what was done, or why not.
   MergeReport Merge(SessionId a, SessionId b, bool force);
   MergeReport MergeAt(SessionId a, SessionId b, const Sim3& b_from_a);
   std::vector<MergeReport> Unmerge(SessionId id);
   // All overlaps judged so far.
-  std::vector<MergeReport> MergeReports() const { return merger_.Reports(); }
+  std::vector<MergeReport> MergeReports() const { return keeper_.Reports(); }
   // Place matches that wait for their frames, poses or scale.
-  size_t num_matches_waiting() const { return merger_.num_waiting(); }
+  size_t num_matches_waiting() const { return keeper_.num_waiting(); }
   // Place matches ignored because their frames had been judged together before.
-  uint64_t num_matches_repeated() const { return merger_.num_repeated(); }
+  uint64_t num_matches_repeated() const { return keeper_.num_repeated(); }
 
   // Closes the drive's current session with its final adjustment; should the drive go on, its next
   // frame opens another. False if the drive is unknown.
@@ -57,16 +57,12 @@ class Mapper {
   MapperCounters counters() const;
 
  private:
-  SessionTable Sessions() const;
-  DriveMapper* DriveOf(SessionId id) const;
-  void Settle();
   void TrySeed(const DriveId& drive);
   void AdjustMaps();
 
   MapOptions options_;
+  MapKeeper keeper_;
   MapperContext context_;
-  MapMerger merger_;
-  uint32_t num_sessions_ = 0;
   std::map<DriveId, std::unique_ptr<DriveMapper>> drives_;
   mutable uint64_t version_ = 0;
 };

@@ -12,11 +12,11 @@
 #include "rovio_sfm/mapping/mapper_options.h"
 #include "rovio_sfm/mapping/mapper_report.h"
 #include "rovio_sfm/mapping/register_frame.h"
-#include "rovio_sfm/mapping/session_table.h"
 #include "rovio_sfm/scene/events.h"
 #include "rovio_sfm/scene/frame_store.h"
 #include "rovio_sfm/scene/place_match.h"
 #include "rovio_sfm/scene/session.h"
+#include "rovio_sfm/scene/session_table.h"
 #include "rovio_sfm/util/executor.h"
 #include "rovio_sfm/util/stage_times.h"
 
@@ -26,9 +26,9 @@ namespace rovio_sfm {
 struct MapperContext {
   MapperOptions options;
   FrameStore* store = nullptr;
-  Executor* executor = nullptr;  // of the global adjustment
-  StageTimes* times = nullptr;   // may be null
-  std::function<SessionId()> new_session_id;
+  SessionTable* sessions = nullptr;  // lent by their keeper, for the steps that are run
+  Executor* executor = nullptr;      // of the global adjustment
+  StageTimes* times = nullptr;       // may be null
   std::function<void(Session*)> on_session_closed;  // once it is adjusted finally
 };
 
@@ -43,15 +43,13 @@ class DriveMapper {
 
   // Tries to start the current session from the map that its held frames see (§4.3.2); false if it
   // runs already, or cannot.
-  bool Seed(const std::vector<PlaceMatch>& matches, const SessionTable& sessions);
+  bool Seed(const std::vector<PlaceMatch>& matches);
   // Holds all events of a drive that has none yet, for Seed; those refused are counted.
   void HoldAll(const std::vector<FrameEvent>& events);
   // True while frames wait for the current session to start, and there are this many.
   bool HoldsFrames(int min_count) const;
-  // The session was changed from outside (merged, undone): what was computed from it is forgotten.
-  void OnSessionChanged(SessionId id);
 
-  const std::vector<std::unique_ptr<Session>>& sessions() const { return sessions_; }
+  SessionId current_session() const { return current_->id(); }
   const MapperCounters& counters() const { return counters_; }
   const Camera& camera() const { return camera_; }
 
@@ -61,7 +59,8 @@ class DriveMapper {
     int num_tries = 0;
   };
 
-  Session& current() { return *sessions_.back(); }
+  Session& current() { return *current_; }
+  void Settle();
 
   std::optional<std::string> Refuse(const FrameEvent& event);
   void Hold(const FrameEvent& event, MapperReport* report);
@@ -83,7 +82,8 @@ class DriveMapper {
   MapperContext context_;
   DriveId drive_;
   Camera camera_;
-  std::vector<std::unique_ptr<Session>> sessions_;  // the last one is current
+  Session* current_ = nullptr;     // the drive's newest session
+  uint64_t settled_revision_ = 0;  // of it, as this left it
   GlobalAdjustment global_;
   std::deque<FrameEvent> held_;  // keyframes before the session starts
   int num_waited_ = 0;           // keyframes since the first pair that would do

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "rovio_sfm/mapping/mapper_options.h"
-#include "rovio_sfm/mapping/session_table.h"
 #include "rovio_sfm/scene/events.h"
 #include "rovio_sfm/scene/place_match.h"
+#include "rovio_sfm/scene/session_table.h"
 
 namespace rovio_sfm {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rovio_sfm/merging/loop_gap.h"
-#include "rovio_sfm/merging/merge_ledger.h"
+#include "rovio_sfm/merging/merge_list.h"
 #include "rovio_sfm/merging/merge_options.h"
 
 namespace rovio_sfm {
@@ -15,12 +15,12 @@ struct LoopStatement {
   LoopGap gap;
   double way = 0.0;
 };
-LoopStatement MeasureLoop(const MergeReport& report, const MergeLedger& ledger,
+LoopStatement MeasureLoop(const MergeReport& report, const MergeList& list,
                           const SessionTable& sessions);
 
-// A provisional overlap of the ledger between the same two maps that says what the record says, by
+// A provisional overlap of the list between the same two maps that says what the edit says, by
 // other landmarks (design 5.4: a second, independent overlap confirms the first). Null if none.
-MergeRecord* FindConfirmation(const MergeRecord& record, const MergeOptions& options,
-                              const SessionTable& sessions, MergeLedger* ledger);
+MergeEdit* FindConfirmation(const MergeEdit& edit, const MergeOptions& options,
+                            const SessionTable& sessions, MergeList* list);
 
 }  // namespace rovio_sfm

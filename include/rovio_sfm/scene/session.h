@@ -98,7 +98,7 @@ class Session {
   const Landmark* FindLandmark(TrackId track) const;  // of the track's root; null if none
 
   void set_state(SessionState state);
-  void set_scale(const std::optional<MapScale>& scale);
+  void set_scale(const MapScale& scale);
   void set_odometry_delay(const std::optional<OdometryDelay>& delay);
 
   // Adds a keyframe with its features' tracks; ids may be any alias. A second feature of one track
