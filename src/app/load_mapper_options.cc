@@ -35,9 +35,6 @@ void ReadAdjust(OptionReader reader, AdjustOptions* options) {
   reader.Read("global_delay", &options->global_delay);
   reader.Read("max_global_frames", &options->max_global_frames);
   reader.Read("loss_px", &options->loss_px);
-  reader.Read("planar_motion", &options->planar_motion);
-  reader.Read("tilt_sigma_deg", &options->tilt_sigma_deg);
-  reader.Read("height_sigma_m", &options->height_sigma_m);
   reader.RefuseUnknown();
 }
 

@@ -40,8 +40,6 @@ bool AdjustOptions::IsValid(std::string* error) const {
   checker.Range("global_delay", global_delay, 1, 100);
   checker.Range("max_global_frames", max_global_frames, 10, 100000);
   checker.Range("loss_px", loss_px, 0.1, 20.0);
-  checker.Range("tilt_sigma_deg", tilt_sigma_deg, 0.01, 10.0);
-  checker.Range("height_sigma_m", height_sigma_m, 0.0001, 0.1);
   return checker.Passed();
 }
 

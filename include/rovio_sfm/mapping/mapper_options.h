@@ -39,11 +39,8 @@ struct AdjustOptions {
   double global_growth =
       0.1;               // a global one when frames or landmarks grew by this share, 0.01 to 10
   int global_delay = 2;  // keyframes after which its result is applied, 1 to 100
-  int max_global_frames = 500;    // larger maps are adjusted by windows of so many, 10 to 100000
-  double loss_px = 1.0;           // scale of the robust loss, 0.1 to 20
-  bool planar_motion = false;     // the robots drive on one flat floor (design 5.2.7)
-  double tilt_sigma_deg = 0.5;    // their rocking then, 0.01 to 10
-  double height_sigma_m = 0.002;  // 0.0001 to 0.1
+  int max_global_frames = 500;  // larger maps are adjusted by windows of so many, 10 to 100000
+  double loss_px = 1.0;         // scale of the robust loss, 0.1 to 20
   bool IsValid(std::string* error) const;
 };
 
