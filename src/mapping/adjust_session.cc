@@ -19,7 +19,7 @@ constexpr double kLocalTolerance = 1e-4;  // the next frame's adjustment goes on
 constexpr double kSettledShare = 0.0005;  // of the observations that changed in a round
 
 BundleOptions LocalBundleOptions(const MapperOptions& options) {
-  return {options.adjust.local_max_iterations, options.adjust.loss_px / options.pixel_sigma_px,
+  return {options.adjust.running_max_iterations, options.adjust.loss_px / options.pixel_sigma_px,
           kLocalTolerance};
 }
 
@@ -67,7 +67,7 @@ PruneReport AdjustLocally(uint32_t frame, const MapperOptions& options, Session*
 }
 
 PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
-  const int max_iterations = options.adjust.global_max_iterations;
+  const int max_iterations = options.adjust.final_max_iterations;
   const double loss_sigmas = options.adjust.loss_px / options.pixel_sigma_px;
   PruneReport total;
   for (int round = 0; round < kFinalRounds; ++round) {
@@ -105,7 +105,7 @@ void GlobalAdjustment::MaybeStart(const Session& session) {
   if (running_ || num_frames < kMinGlobalFrames || !grown) return;
   num_frames_at_last_ = num_frames;
   num_landmarks_at_last_ = num_landmarks;
-  const BundleOptions bundle_options{options_.local_max_iterations, loss_sigmas_};
+  const BundleOptions bundle_options{options_.running_max_iterations, loss_sigmas_};
   running_.emplace();
   running_->result = executor_->Submit(
       [bundle = MakeGlobalBundle(session), bundle_options, options = options_]() mutable {

@@ -34,8 +34,8 @@ bool TriangulateOptions::IsValid(std::string* error) const {
 bool AdjustOptions::IsValid(std::string* error) const {
   OptionChecker checker("adjust", error);
   checker.Range("local_frames", local_frames, 2, 50);
-  checker.Range("local_max_iterations", local_max_iterations, 1, 200);
-  checker.Range("global_max_iterations", global_max_iterations, 1, 1000);
+  checker.Range("running_max_iterations", running_max_iterations, 1, 200);
+  checker.Range("final_max_iterations", final_max_iterations, 1, 1000);
   checker.Range("global_growth", global_growth, 0.01, 10.0);
   checker.Range("global_delay", global_delay, 1, 100);
   checker.Range("max_global_frames", max_global_frames, 10, 100000);

@@ -23,7 +23,7 @@ TEST(AdjustLocally, PullsADisturbedFrameBack) {
   session.SetPose(9, PerturbPose(drive.world.cams_from_map[9], 0.002, 0.01, rng));
   MapperOptions options;
   options.adjust.local_frames = 3;  // the others are fixed
-  options.adjust.local_max_iterations = 50;
+  options.adjust.running_max_iterations = 50;
   const PruneReport report = AdjustLocally(9, options, &session);
   EXPECT_LT(PoseDistance(session.keyframe(9).cam_from_session, drive.world.cams_from_map[9]), 1e-3);
   EXPECT_EQ(report.num_landmarks, 0u);

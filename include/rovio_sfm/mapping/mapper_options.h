@@ -33,9 +33,10 @@ struct TriangulateOptions {
 };
 
 struct AdjustOptions {
-  int local_frames = 10;           // free frames of a local adjustment, 2 to 50
-  int local_max_iterations = 10;   // 1 to 200
-  int global_max_iterations = 50;  // 1 to 1000
+  int local_frames = 10;  // free frames of a local adjustment, 2 to 50
+  // Of the local, session and map adjustments of a running drive, 1 to 200; the next goes on.
+  int running_max_iterations = 10;
+  int final_max_iterations = 50;  // of those at the end of a session or a run, 1 to 1000
   double global_growth =
       0.1;               // a global one when frames or landmarks grew by this share, 0.01 to 10
   int global_delay = 2;  // keyframes after which its result is applied, 1 to 100
