@@ -32,8 +32,6 @@ void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
   app->add_flag(
       "--seeded", arguments->mapper.seeded,
       "the thesis's Algorithms 1 to 3: places of all drives first, then each from the last");
-  app->add_flag("--planar-motion", arguments->mapper.mapper.adjust.planar_motion,
-                "the robots drive on one flat floor");
   app->add_flag("--overwrite", arguments->overwrite, "replace the results of an earlier run");
 }
 

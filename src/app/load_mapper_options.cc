@@ -29,15 +29,12 @@ void ReadTriangulate(OptionReader reader, TriangulateOptions* options) {
 
 void ReadAdjust(OptionReader reader, AdjustOptions* options) {
   reader.Read("local_frames", &options->local_frames);
-  reader.Read("local_max_iterations", &options->local_max_iterations);
-  reader.Read("global_max_iterations", &options->global_max_iterations);
+  reader.Read("running_max_iterations", &options->running_max_iterations);
+  reader.Read("final_max_iterations", &options->final_max_iterations);
   reader.Read("global_growth", &options->global_growth);
   reader.Read("global_delay", &options->global_delay);
   reader.Read("max_global_frames", &options->max_global_frames);
   reader.Read("loss_px", &options->loss_px);
-  reader.Read("planar_motion", &options->planar_motion);
-  reader.Read("tilt_sigma_deg", &options->tilt_sigma_deg);
-  reader.Read("height_sigma_m", &options->height_sigma_m);
   reader.RefuseUnknown();
 }
 

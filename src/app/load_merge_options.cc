@@ -41,7 +41,6 @@ void ReadEvidence(OptionReader reader, EvidenceOptions* options) {
   reader.Read("refuted_share", &options->refuted_share);
   reader.Read("max_log_scale_gap", &options->max_log_scale_gap);
   reader.Read("refuted_log_scale_gap", &options->refuted_log_scale_gap);
-  reader.Read("min_overlaps", &options->min_overlaps);
   reader.RefuseUnknown();
 }
 

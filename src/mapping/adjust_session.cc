@@ -18,9 +18,9 @@ constexpr int kFinalRounds = 5;
 constexpr double kLocalTolerance = 1e-4;  // the next frame's adjustment goes on where this one ends
 constexpr double kSettledShare = 0.0005;  // of the observations that changed in a round
 
-BundleOptions LocalBundleOptions(const MapperOptions& options, const Session& session) {
-  return {options.adjust.local_max_iterations, options.adjust.loss_px / options.pixel_sigma_px,
-          kLocalTolerance, PlanarMotionOf(options.adjust, session.scale())};
+BundleOptions LocalBundleOptions(const MapperOptions& options) {
+  return {options.adjust.running_max_iterations, options.adjust.loss_px / options.pixel_sigma_px,
+          kLocalTolerance};
 }
 
 size_t NumObservations(const Session& session) {
@@ -40,9 +40,8 @@ uint32_t CompleteAll(const MapperOptions& options, Session* session) {
 }
 
 // Of a whole session. False: nothing was changed.
-bool Adjust(BundleOptions bundle_options, const AdjustOptions& options,
-            const std::optional<MapScale>& scale, SessionBundle* bundle) {
-  bundle_options.planar_motion = PlanarMotionOf(options, scale);
+bool Adjust(const BundleOptions& bundle_options, const AdjustOptions& options,
+            SessionBundle* bundle) {
   const auto max_frames = static_cast<size_t>(options.max_global_frames);
   return AdjustByWindow(&bundle->problem, bundle_options, max_frames).usable;
 }
@@ -61,20 +60,20 @@ PruneReport AdjustLocally(uint32_t frame, const MapperOptions& options, Session*
   const auto max_free = static_cast<size_t>(options.adjust.local_frames);
   SessionBundle bundle = MakeLocalBundle(
       *session, CovisibleFrames(*session, frame, max_free, kMinShared), kMaxFixedFrames);
-  if (AdjustBundle(&bundle.problem, LocalBundleOptions(options, *session)).usable) {
+  if (AdjustBundle(&bundle.problem, LocalBundleOptions(options)).usable) {
     ApplyBundle(bundle, false, session);
   }
   return PruneLandmarks(bundle.tracks, PruneOptionsOf(options), session);
 }
 
 PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
-  const int max_iterations = options.adjust.global_max_iterations;
+  const int max_iterations = options.adjust.final_max_iterations;
   const double loss_sigmas = options.adjust.loss_px / options.pixel_sigma_px;
   PruneReport total;
   for (int round = 0; round < kFinalRounds; ++round) {
     uint32_t num_changed = CompleteAll(options, session);
     SessionBundle bundle = MakeGlobalBundle(*session);
-    if (!Adjust({max_iterations, loss_sigmas}, options.adjust, session->scale(), &bundle)) {
+    if (!Adjust({max_iterations, loss_sigmas}, options.adjust, &bundle)) {
       return total;
     }
     ApplyBundle(bundle, true, session);
@@ -85,7 +84,7 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
     if (num_changed < kSettledShare * static_cast<double>(NumObservations(*session))) break;
   }
   SessionBundle bundle = MakeGlobalBundle(*session);
-  if (Adjust({max_iterations, 0.0}, options.adjust, session->scale(), &bundle)) {
+  if (Adjust({max_iterations, 0.0}, options.adjust, &bundle)) {
     ApplyBundle(bundle, true, session);
   }
   return total;
@@ -106,13 +105,13 @@ void GlobalAdjustment::MaybeStart(const Session& session) {
   if (running_ || num_frames < kMinGlobalFrames || !grown) return;
   num_frames_at_last_ = num_frames;
   num_landmarks_at_last_ = num_landmarks;
-  const BundleOptions bundle_options{options_.local_max_iterations, loss_sigmas_};
+  const BundleOptions bundle_options{options_.running_max_iterations, loss_sigmas_};
   running_.emplace();
-  running_->result = executor_->Submit([bundle = MakeGlobalBundle(session), bundle_options,
-                                        options = options_, scale = session.scale()]() mutable {
-    if (!Adjust(bundle_options, options, scale, &bundle)) bundle = {};
-    return std::move(bundle);
-  });
+  running_->result = executor_->Submit(
+      [bundle = MakeGlobalBundle(session), bundle_options, options = options_]() mutable {
+        if (!Adjust(bundle_options, options, &bundle)) bundle = {};
+        return std::move(bundle);
+      });
 }
 
 bool GlobalAdjustment::Advance(Session* session) {

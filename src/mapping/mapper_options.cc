@@ -34,14 +34,12 @@ bool TriangulateOptions::IsValid(std::string* error) const {
 bool AdjustOptions::IsValid(std::string* error) const {
   OptionChecker checker("adjust", error);
   checker.Range("local_frames", local_frames, 2, 50);
-  checker.Range("local_max_iterations", local_max_iterations, 1, 200);
-  checker.Range("global_max_iterations", global_max_iterations, 1, 1000);
+  checker.Range("running_max_iterations", running_max_iterations, 1, 200);
+  checker.Range("final_max_iterations", final_max_iterations, 1, 1000);
   checker.Range("global_growth", global_growth, 0.01, 10.0);
   checker.Range("global_delay", global_delay, 1, 100);
   checker.Range("max_global_frames", max_global_frames, 10, 100000);
   checker.Range("loss_px", loss_px, 0.1, 20.0);
-  checker.Range("tilt_sigma_deg", tilt_sigma_deg, 0.01, 10.0);
-  checker.Range("height_sigma_m", height_sigma_m, 0.0001, 0.1);
   return checker.Passed();
 }
 

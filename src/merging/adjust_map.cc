@@ -116,7 +116,7 @@ MapAdjustmentReport AdjustMap(const std::vector<PlacedSession>& sessions,
   report.before = MeasureLinks(sessions, *links);
   const int num_rounds = is_final ? kFinalRounds : 1;
   const int max_iterations =  // the map is adjusted again when its sessions end
-      is_final ? options.adjust.global_max_iterations : options.adjust.local_max_iterations;
+      is_final ? options.adjust.final_max_iterations : options.adjust.running_max_iterations;
   for (int round = 0; round <= num_rounds; ++round) {
     const bool is_last = round == num_rounds;
     if (is_last && !is_final) break;

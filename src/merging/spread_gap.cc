@@ -134,7 +134,7 @@ bool SpreadGap(const std::vector<PlacedSession>& sessions, const MergeReport& lo
   builder.AddLinks(links);
   builder.AddLoop(loop);
   PoseGraph solved = builder.graph();
-  const PoseGraphReport report = OptimizePoseGraph({}, &solved);
+  const PoseGraphReport report = OptimizePoseGraph(&solved);
   if (!report.usable || !report.switched_off.empty()) return false;
   for (const PlacedSession& placed : sessions) Apply(builder, solved, placed);
   return true;

@@ -7,6 +7,7 @@ namespace rovio_sfm {
 namespace {
 
 constexpr double kDegreesPerRadian = 180.0 / M_PI;
+constexpr int64_t kRpeStepNs = 1'000'000'000;  // the relative error is that of a second
 
 // One posed image with its true pose.
 struct Compared {
@@ -76,22 +77,20 @@ double PathLength(const std::vector<Compared>& compared) {
 }
 
 // The first image at least one step, at most one and a half, after image i in the same drive.
-std::optional<size_t> OneStepLater(const std::vector<Compared>& compared, size_t i,
-                                   int64_t step_ns) {
+std::optional<size_t> OneStepLater(const std::vector<Compared>& compared, size_t i) {
   for (size_t j = i + 1; j < compared.size() && compared[j].drive == compared[i].drive; ++j) {
     const int64_t passed_ns = compared[j].stamp_ns - compared[i].stamp_ns;
-    if (passed_ns > step_ns + step_ns / 2) return std::nullopt;
-    if (passed_ns >= step_ns) return j;
+    if (passed_ns > kRpeStepNs + kRpeStepNs / 2) return std::nullopt;
+    if (passed_ns >= kRpeStepNs) return j;
   }
   return std::nullopt;
 }
 
 // The relative motion of the estimate, in metres, as the first camera sees it, against the truth's.
-void AddRelativeErrors(const std::vector<Compared>& compared, int64_t step_ns,
-                       EvaluationReport* report) {
+void AddRelativeErrors(const std::vector<Compared>& compared, EvaluationReport* report) {
   std::vector<double> distances_m, angles_deg;
   for (size_t i = 0; i < compared.size(); ++i) {
-    const std::optional<size_t> j = OneStepLater(compared, i, step_ns);
+    const std::optional<size_t> j = OneStepLater(compared, i);
     if (!j) continue;
     Rigid3 moved = Inverse(compared[i].map_from_cam) * compared[*j].map_from_cam;
     moved.translation *= report->world_from_map.scale;
@@ -108,15 +107,9 @@ void AddRelativeErrors(const std::vector<Compared>& compared, int64_t step_ns,
 
 }  // namespace
 
-bool EvaluationOptions::IsValid(std::string* error) const {
-  if (max_gap_ns <= 0) *error = "max_gap_ns = " + std::to_string(max_gap_ns) + ": expected > 0";
-  if (rpe_step_ns <= 0) *error = "rpe_step_ns = " + std::to_string(rpe_step_ns) + ": expected > 0";
-  return max_gap_ns > 0 && rpe_step_ns > 0;
-}
-
 std::optional<EvaluationReport> EvaluateTrajectories(const std::vector<DriveEvaluation>& drives,
-                                                     const EvaluationOptions& options) {
-  const std::vector<Compared> compared = Compare(drives, options.max_gap_ns);
+                                                     int64_t max_gap_ns) {
+  const std::vector<Compared> compared = Compare(drives, max_gap_ns);
   const std::optional<Sim3> world_from_map = Align(compared);
   if (!world_from_map) return std::nullopt;
   EvaluationReport report;
@@ -126,7 +119,7 @@ std::optional<EvaluationReport> EvaluateTrajectories(const std::vector<DriveEval
   report.scale_error = std::abs(world_from_map->scale - 1.0);
   report.path_length_m = PathLength(compared);
   AddAbsoluteErrors(compared, &report);
-  AddRelativeErrors(compared, options.rpe_step_ns, &report);
+  AddRelativeErrors(compared, &report);
   return report;
 }
 

@@ -38,7 +38,7 @@ std::optional<OdometryDelay> MeasureOdometryDelay(const Session& session) {
     samples.push_back(MakeSample(frame.stamp_ns, frame.cam_from_session, *frame.base_from_camera,
                                  frame.odometry->yaw_rad));
   }
-  return EstimateOdometryDelay(samples, {});
+  return EstimateOdometryDelay(samples);
 }
 
 void UpdateOdometryDelay(Session* session) {
@@ -60,7 +60,7 @@ std::optional<OdometryDelay> MeasureOdometryDelay(const LevelMap& map,
   for (const SessionSnapshot& session : map.sessions) {
     const auto drive = yaws.find(session.drive.robot);
     if (drive == yaws.end()) continue;
-    const auto delay = EstimateOdometryDelay(SamplesOf(session, drive->second), {});
+    const auto delay = EstimateOdometryDelay(SamplesOf(session, drive->second));
     if (delay && (!best || delay->sigma_s < best->sigma_s)) best = delay;
   }
   return best;

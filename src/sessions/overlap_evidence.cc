@@ -120,7 +120,7 @@ EvidenceReason Weigh(const EvidenceVerdict& figures, int num_visible,
 }
 
 MergeVerdict VerdictOf(EvidenceReason reason) {
-  if (reason <= EvidenceReason::kConfirmed) return MergeVerdict::kAccepted;
+  if (reason == EvidenceReason::kComplete) return MergeVerdict::kAccepted;
   return reason < EvidenceReason::kAbsent ? MergeVerdict::kProvisional : MergeVerdict::kRefused;
 }
 
@@ -142,8 +142,6 @@ std::string Describe(const EvidenceVerdict& verdict, const OverlapEvidence& evid
     case EvidenceReason::kComplete:
       return num_inliers + " inliers spread over the image and over depths, " +
              DescribeShare(evidence);
-    case EvidenceReason::kConfirmed:
-      return std::to_string(evidence.num_overlaps) + " independent overlaps confirm each other";
     case EvidenceReason::kTooFewInliers:
       return "only " + num_inliers + " inliers";
     case EvidenceReason::kNotSpread:
@@ -182,7 +180,6 @@ bool EvidenceOptions::IsValid(std::string* error) const {
   checker.Range("refuted_share", refuted_share, 0.0, min_matched_share);
   checker.Range("max_log_scale_gap", max_log_scale_gap, 0.001, 1.0);
   checker.Range("refuted_log_scale_gap", refuted_log_scale_gap, max_log_scale_gap, 10.0);
-  checker.Range("min_overlaps", min_overlaps, 2, 1000);
   return checker.Passed();
 }
 
@@ -190,11 +187,6 @@ EvidenceVerdict JudgeOverlap(const OverlapEvidence& evidence, const EvidenceOpti
   EvidenceVerdict verdict = Measure(evidence, options);
   verdict.reason = Weigh(verdict, evidence.num_visible, options);
   verdict.verdict = VerdictOf(verdict.reason);
-  if (verdict.verdict == MergeVerdict::kProvisional &&
-      evidence.num_overlaps >= options.min_overlaps) {
-    verdict.reason = EvidenceReason::kConfirmed;
-    verdict.verdict = MergeVerdict::kAccepted;
-  }
   verdict.text = Describe(verdict, evidence);
   return verdict;
 }

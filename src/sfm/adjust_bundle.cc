@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "rovio_sfm/sfm/planar_motion_prior.h"
 #include "rovio_sfm/sfm/reprojection_cost.h"
 
 namespace rovio_sfm {
@@ -76,10 +75,9 @@ void SetGauge(const Gauge& gauge, std::vector<PoseBlock>* poses, ceres::Problem*
   }
 }
 
-// Points are eliminated first; the floor, which all poses share, last.
+// Points are eliminated first.
 std::shared_ptr<ceres::ParameterBlockOrdering> MakeOrdering(std::vector<Eigen::Vector3d>* points,
                                                             std::vector<PoseBlock>* poses,
-                                                            FloorBlocks* floor,
                                                             const ceres::Problem& solver) {
   auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
   const auto add = [&](double* block, int group) {
@@ -87,9 +85,6 @@ std::shared_ptr<ceres::ParameterBlockOrdering> MakeOrdering(std::vector<Eigen::V
   };
   for (Eigen::Vector3d& point : *points) add(point.data(), 0);
   for (PoseBlock& pose : *poses) add(pose.data(), 1);
-  add(floor->normal.data(), 2);
-  add(&floor->offset, 2);
-  add(floor->mount_tilt.data(), 2);
   return ordering;
 }
 
@@ -121,15 +116,11 @@ BundleReport AdjustBundle(BundleProblem* problem, const BundleOptions& options) 
   const std::vector<Eigen::Vector3d> points_before = problem->points;
   const Gauge gauge = ChooseGauge(*problem);
 
-  FloorBlocks floor;
   ceres::Problem solver;
   AddObservations(problem, options, &poses, &solver);
-  if (options.planar_motion) {
-    AddPlanarMotion(problem->cameras, *options.planar_motion, &poses, &floor, &solver);
-  }
   SetGauge(gauge, &poses, &solver);
   ceres::Solver::Options solver_options = SolverOptions(options, gauge);
-  solver_options.linear_solver_ordering = MakeOrdering(&problem->points, &poses, &floor, solver);
+  solver_options.linear_solver_ordering = MakeOrdering(&problem->points, &poses, solver);
   ceres::Solver::Summary summary;
   ceres::Solve(solver_options, &solver, &summary);
   report.iterations = static_cast<int>(summary.iterations.size());

@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rovio_sfm/util/option_checker.h"
-
 namespace rovio_sfm {
 namespace {
 
+constexpr double kMaxDelayS = 0.4;  // longer ones are not looked for
 constexpr double kScanStepS = 0.01;
 constexpr double kWindowS = 0.3;          // least time over which a rate is measured
+constexpr double kMaxGapS = 1.0;          // and the longest: turns within it would cancel
+constexpr double kMinTurnRad = 1.0;       // all turns together; less is noise of the vision
+constexpr double kMinCorrelation = 0.8;   // of the rates; below, the wheels tell something else
+constexpr double kMaxSigmaS = 0.05;       // a less certain delay is none
+constexpr int kMinRates = 20;             // for a correlation that is not chance
 constexpr double kLeastCurvature = 1e-4;  // of the correlation's peak: flatter ones tell nothing
 
 // Mean turn rates between two frames, at the middle of their stamps.
@@ -53,7 +57,7 @@ TurnRate RateBetween(const TurnSample& a, const TurnSample& b, int64_t zero_ns) 
 }
 
 // One rate from each frame on; windows overlap.
-std::vector<TurnRate> RatesOf(const std::vector<TurnSample>& samples, double max_gap_s) {
+std::vector<TurnRate> RatesOf(const std::vector<TurnSample>& samples) {
   const auto gap_s = [&](size_t i, size_t j) {
     return 1e-9 * static_cast<double>(samples[j].stamp_ns - samples[i].stamp_ns);
   };
@@ -61,29 +65,28 @@ std::vector<TurnRate> RatesOf(const std::vector<TurnSample>& samples, double max
   for (size_t i = 0; i + 1 < samples.size(); ++i) {
     size_t j = i + 1;
     while (j + 1 < samples.size() && gap_s(i, j) < kWindowS) ++j;
-    if (gap_s(i, j) < kWindowS || gap_s(i, j) > max_gap_s) continue;
+    if (gap_s(i, j) < kWindowS || gap_s(i, j) > kMaxGapS) continue;
     rates.push_back(RateBetween(samples[i], samples[j], samples[0].stamp_ns));
   }
   return rates;
 }
 
 // Vision's rate at a moment, linear between the middles of frames; nothing across a long gap.
-std::optional<double> VisualRate(const std::vector<TurnRate>& rates, double time_s,
-                                 double max_gap_s) {
+std::optional<double> VisualRate(const std::vector<TurnRate>& rates, double time_s) {
   const auto after = std::lower_bound(rates.begin(), rates.end(), time_s,
                                       [](const TurnRate& r, double t) { return r.time_s < t; });
   if (after == rates.begin() || after == rates.end()) return std::nullopt;
   const auto before = std::prev(after);
   const double gap_s = after->time_s - before->time_s;
-  if (gap_s > max_gap_s) return std::nullopt;
+  if (gap_s > kMaxGapS) return std::nullopt;
   const double share = (time_s - before->time_s) / gap_s;
   return (1.0 - share) * before->visual_rad_s + share * after->visual_rad_s;
 }
 
-Paired PairAt(const std::vector<TurnRate>& rates, double delay_s, double max_gap_s) {
+Paired PairAt(const std::vector<TurnRate>& rates, double delay_s) {
   Paired paired;
   for (const TurnRate& rate : rates) {
-    const auto visual = VisualRate(rates, rate.time_s - delay_s, max_gap_s);
+    const auto visual = VisualRate(rates, rate.time_s - delay_s);
     if (visual) paired.Add(rate.odometry_rad_s, *visual);
   }
   return paired;
@@ -98,13 +101,12 @@ double MedianDuration(const std::vector<TurnRate>& rates) {
 }
 
 // The scanned delay of the greatest correlation; nothing where it lies at the border.
-std::optional<double> ScanDelays(const std::vector<TurnRate>& rates,
-                                 const OdometryDelayOptions& options) {
-  const int steps = static_cast<int>(options.max_delay_s / kScanStepS);
+std::optional<double> ScanDelays(const std::vector<TurnRate>& rates) {
+  const int steps = static_cast<int>(kMaxDelayS / kScanStepS);
   int best = -steps;
   double best_correlation = -1.0;
   for (int i = -steps; i <= steps; ++i) {
-    const double correlation = PairAt(rates, i * kScanStepS, options.max_gap_s).Correlation();
+    const double correlation = PairAt(rates, i * kScanStepS).Correlation();
     if (correlation <= best_correlation) continue;
     best = i;
     best_correlation = correlation;
@@ -114,12 +116,11 @@ std::optional<double> ScanDelays(const std::vector<TurnRate>& rates,
 }
 
 // The peak of the parabola through the correlations at the delay and half a frame beside it.
-std::optional<double> RefinePeak(const std::vector<TurnRate>& rates, double delay_s,
-                                 double max_gap_s) {
+std::optional<double> RefinePeak(const std::vector<TurnRate>& rates, double delay_s) {
   const double step_s = std::max(kScanStepS, 0.5 * MedianDuration(rates));
-  const double left = PairAt(rates, delay_s - step_s, max_gap_s).Correlation();
-  const double middle = PairAt(rates, delay_s, max_gap_s).Correlation();
-  const double right = PairAt(rates, delay_s + step_s, max_gap_s).Correlation();
+  const double left = PairAt(rates, delay_s - step_s).Correlation();
+  const double middle = PairAt(rates, delay_s).Correlation();
+  const double right = PairAt(rates, delay_s + step_s).Correlation();
   const double curvature = left - 2.0 * middle + right;
   if (!(curvature < -kLeastCurvature)) return std::nullopt;
   const double shift = 0.5 * (left - right) / curvature;
@@ -129,14 +130,13 @@ std::optional<double> RefinePeak(const std::vector<TurnRate>& rates, double dela
 
 // From the rates' disagreement, and how fast vision's rate changes; rates of windows that overlap
 // are not independent.
-double SigmaAt(const std::vector<TurnRate>& rates, double delay_s, const Paired& paired,
-               double max_gap_s) {
+double SigmaAt(const std::vector<TurnRate>& rates, double delay_s, const Paired& paired) {
   const double step_s = 0.5 * MedianDuration(rates);
   double sum_residuals = 0.0, sum_slopes = 0.0, covered_s = 0.0;
   for (const TurnRate& rate : rates) {
-    const auto at = VisualRate(rates, rate.time_s - delay_s, max_gap_s);
-    const auto before = VisualRate(rates, rate.time_s - delay_s - step_s, max_gap_s);
-    const auto after = VisualRate(rates, rate.time_s - delay_s + step_s, max_gap_s);
+    const auto at = VisualRate(rates, rate.time_s - delay_s);
+    const auto before = VisualRate(rates, rate.time_s - delay_s - step_s);
+    const auto after = VisualRate(rates, rate.time_s - delay_s + step_s);
     if (!at || !before || !after) continue;
     covered_s += rate.duration_s;
     sum_residuals += std::pow(rate.odometry_rad_s - paired.Gain() * *at, 2);
@@ -154,31 +154,19 @@ double TotalTurn(const std::vector<TurnRate>& rates) {
 
 }  // namespace
 
-bool OdometryDelayOptions::IsValid(std::string* error) const {
-  OptionChecker checker("odometry_delay", error);
-  checker.Range("max_delay_s", max_delay_s, 0.05, 5.0);
-  checker.Range("max_gap_s", max_gap_s, 0.3, 10.0);
-  checker.Range("min_turn_rad", min_turn_rad, 0.1, 100.0);
-  checker.Range("min_correlation", min_correlation, 0.1, 1.0);
-  checker.Range("max_sigma_s", max_sigma_s, 0.001, 1.0);
-  checker.Range("min_rates", min_rates, 5, 100000);
-  return checker.Passed();
-}
-
-std::optional<OdometryDelay> EstimateOdometryDelay(const std::vector<TurnSample>& samples,
-                                                   const OdometryDelayOptions& options) {
-  const std::vector<TurnRate> rates = RatesOf(samples, options.max_gap_s);
-  if (rates.size() < static_cast<size_t>(options.min_rates)) return std::nullopt;
-  if (TotalTurn(rates) < options.min_turn_rad) return std::nullopt;
-  const auto scanned_s = ScanDelays(rates, options);
+std::optional<OdometryDelay> EstimateOdometryDelay(const std::vector<TurnSample>& samples) {
+  const std::vector<TurnRate> rates = RatesOf(samples);
+  if (rates.size() < static_cast<size_t>(kMinRates)) return std::nullopt;
+  if (TotalTurn(rates) < kMinTurnRad) return std::nullopt;
+  const auto scanned_s = ScanDelays(rates);
   if (!scanned_s) return std::nullopt;
-  const auto delay_s = RefinePeak(rates, *scanned_s, options.max_gap_s);
+  const auto delay_s = RefinePeak(rates, *scanned_s);
   if (!delay_s) return std::nullopt;
-  const Paired paired = PairAt(rates, *delay_s, options.max_gap_s);
-  if (paired.count < options.min_rates) return std::nullopt;
-  if (paired.Correlation() < options.min_correlation) return std::nullopt;
-  const double sigma_s = SigmaAt(rates, *delay_s, paired, options.max_gap_s);
-  if (!(sigma_s <= options.max_sigma_s)) return std::nullopt;
+  const Paired paired = PairAt(rates, *delay_s);
+  if (paired.count < kMinRates) return std::nullopt;
+  if (paired.Correlation() < kMinCorrelation) return std::nullopt;
+  const double sigma_s = SigmaAt(rates, *delay_s, paired);
+  if (!(sigma_s <= kMaxSigmaS)) return std::nullopt;
   return OdometryDelay{*delay_s, sigma_s};
 }
 

@@ -51,8 +51,7 @@ class BundleBuilder {
     cameras_[frame] = static_cast<uint32_t>(bundle_.frames.size());
     bundle_.frames.push_back(frame);
     const Keyframe& keyframe = session_.keyframe(frame);
-    bundle_.problem.cameras.push_back(
-        {keyframe.cam_from_session, fixed, keyframe.base_from_camera});
+    bundle_.problem.cameras.push_back({keyframe.cam_from_session, fixed});
   }
 
   void AddLandmark(TrackId id, const Landmark& landmark) {

@@ -35,18 +35,15 @@ int EvaluateTrajectoryCommand(int argc, const char* const* argv, std::ostream& o
   CLI::App app("Compares trajectories (TUM format) with the truth, after one similarity for all");
   std::vector<std::string> files;
   bool json = false, metric = false;
-  double max_gap_s = 0.05, rpe_step_s = 1.0;
+  double max_gap_s = 1e-9 * static_cast<double>(kMaxTruthGapNs);
   app.add_option("files", files, "GROUND_TRUTH ESTIMATE, one pair per drive")->required();
   app.add_flag("--json", json, "print JSON instead of a table");
   app.add_flag("--metric", metric, "the map is metric: report its scale error");
   app.add_option("--max-gap", max_gap_s, "widest gap of the truth to bridge, s")
       ->check(CLI::Range(1e-6, 1e6));
-  app.add_option("--rpe-step", rpe_step_s, "time of the relative error, s")
-      ->check(CLI::Range(1e-6, 1e6));
   if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
-  const EvaluationOptions options{static_cast<int64_t>(max_gap_s * 1e9),
-                                  static_cast<int64_t>(rpe_step_s * 1e9)};
-  const auto report = EvaluateTrajectories(ReadDrives(files), options);
+  const auto report =
+      EvaluateTrajectories(ReadDrives(files), static_cast<int64_t>(max_gap_s * 1e9));
   if (!report) throw std::runtime_error("fewer than three poses with ground truth, or on one line");
   const nlohmann::ordered_json figures = EvaluationJson(*report, metric);
   if (json) {

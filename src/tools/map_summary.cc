@@ -31,7 +31,7 @@ std::optional<EvaluationReport> Evaluate(const LevelMap& map, const MapRun& run,
   }
   std::vector<DriveEvaluation> list;
   for (const auto& [robot, drive] : drives) list.push_back(drive);
-  return EvaluateTrajectories(list, {});
+  return EvaluateTrajectories(list);
 }
 
 void AddFrames(const MapRun& run, Json* json) {

@@ -48,14 +48,6 @@ TEST(DeclareMappingArguments, TurnsThePoseGraphOffOnlyIfTold) {
   EXPECT_FALSE(arguments.mapper.mapper.merge.use_pose_graph);
 }
 
-TEST(DeclareMappingArguments, TakesTheFloorForFlatOnlyIfTold) {
-  MappingArguments arguments;
-  ASSERT_FALSE(Parse({"--out", "x"}, &arguments));
-  EXPECT_FALSE(arguments.mapper.mapper.adjust.planar_motion);
-  ASSERT_FALSE(Parse({"--out", "x", "--planar-motion"}, &arguments));
-  EXPECT_TRUE(arguments.mapper.mapper.adjust.planar_motion);
-}
-
 TEST(CompleteMappingArguments, RefusesWhatIsOutOfRange) {
   MappingArguments arguments;
   ASSERT_FALSE(Parse({"--out", "x", "--features", "0"}, &arguments));

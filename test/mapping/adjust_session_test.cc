@@ -23,7 +23,7 @@ TEST(AdjustLocally, PullsADisturbedFrameBack) {
   session.SetPose(9, PerturbPose(drive.world.cams_from_map[9], 0.002, 0.01, rng));
   MapperOptions options;
   options.adjust.local_frames = 3;  // the others are fixed
-  options.adjust.local_max_iterations = 50;
+  options.adjust.running_max_iterations = 50;
   const PruneReport report = AdjustLocally(9, options, &session);
   EXPECT_LT(PoseDistance(session.keyframe(9).cam_from_session, drive.world.cams_from_map[9]), 1e-3);
   EXPECT_EQ(report.num_landmarks, 0u);
@@ -77,65 +77,6 @@ TEST(AdjustFinally, StaysNearTheTruthWithNoise) {
   ASSERT_TRUE(error);
   EXPECT_LT(error->max_distance, 0.05);
   EXPECT_LT(error->max_rotation_rad, 0.02);
-}
-
-// A drive with known mounts and scale: its floor is flat, its views are noisy.
-Session FlatSession() {
-  SyntheticDriveOptions options;
-  options.world.noise_px = 1.0;
-  options.world.num_points = 120;
-  options.world.num_cams = 10;
-  options.metres_per_unit = 0.5;
-  Session session = MappedDrive(MakeSyntheticDrive(options));
-  session.set_scale({0.5, 0.05, "odometry"});
-  return session;
-}
-
-// Of the camera centres, which are all as high above the floor: from y = const, session units.
-double OffFloor(const Session& session) {
-  double sum = 0.0, sum_of_squares = 0.0;
-  for (const auto& [index, frame] : session.keyframes()) {
-    const double height = OriginInA(frame.cam_from_session).y();
-    sum += height;
-    sum_of_squares += height * height;
-  }
-  const double count = static_cast<double>(session.keyframes().size());
-  return std::sqrt(sum_of_squares / count - std::pow(sum / count, 2));
-}
-
-MapperOptions WithPlanarMotion() {
-  MapperOptions options;
-  options.adjust.planar_motion = true;
-  options.adjust.tilt_sigma_deg = 0.02;  // the synthetic robot does not rock
-  options.adjust.height_sigma_m = 0.0002;
-  return options;
-}
-
-TEST(PlanarMotion, KeepsTheSessionOnItsFloorWhereItIsOn) {
-  Session free = FlatSession(), flat = FlatSession();
-  AdjustFinally({}, &free);
-  AdjustFinally(WithPlanarMotion(), &flat);
-  EXPECT_LT(OffFloor(flat), 0.5 * OffFloor(free));
-  EXPECT_EQ(CheckInvariants(flat), "");
-}
-
-TEST(PlanarMotion, ReachesLocalAndGlobalAdjustments) {
-  const auto adjust = [](const MapperOptions& options, bool locally) {
-    Session session = FlatSession();
-    if (locally) {
-      AdjustLocally(9, options, &session);
-      return BytesOf(session);
-    }
-    Executor executor(0);
-    GlobalAdjustment global(options, &executor);
-    global.MaybeStart(session);
-    global.Advance(&session);
-    EXPECT_TRUE(global.Advance(&session));
-    return BytesOf(session);
-  };
-  for (const bool locally : {true, false}) {
-    EXPECT_NE(adjust(WithPlanarMotion(), locally), adjust({}, locally)) << locally;
-  }
 }
 
 TEST(AdjustFinally, BearsAnEmptySession) {

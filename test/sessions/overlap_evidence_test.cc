@@ -82,7 +82,6 @@ TEST(JudgeOverlap, TakesAnObjectInFrontOfAPlaneAsASecondDepth) {
 TEST(JudgeOverlap, LetsAbsenceRefute) {
   OverlapEvidence evidence = CompleteEvidence();
   evidence.num_visible_matched = 9;
-  evidence.num_overlaps = 5;
   const EvidenceVerdict verdict = JudgeOverlap(evidence, {});
   EXPECT_EQ(verdict.verdict, MergeVerdict::kRefused);
   EXPECT_EQ(verdict.reason, EvidenceReason::kAbsent);
@@ -110,14 +109,6 @@ TEST(JudgeOverlap, AsksTheNeighboursForTheScale) {
   const EvidenceVerdict verdict = JudgeOverlap(evidence, {});
   EXPECT_EQ(verdict.verdict, MergeVerdict::kRefused);
   EXPECT_EQ(verdict.reason, EvidenceReason::kNeighboursContradict);
-}
-
-TEST(JudgeOverlap, LetsASecondOverlapConfirm) {
-  OverlapEvidence evidence = MakeEvidence(FlatWorld());
-  evidence.num_overlaps = 2;
-  const EvidenceVerdict verdict = JudgeOverlap(evidence, {});
-  EXPECT_EQ(verdict.verdict, MergeVerdict::kAccepted);
-  EXPECT_EQ(verdict.reason, EvidenceReason::kConfirmed);
 }
 
 TEST(EvidenceOptions, NameWhatIsOutOfRange) {

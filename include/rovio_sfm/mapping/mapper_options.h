@@ -33,17 +33,15 @@ struct TriangulateOptions {
 };
 
 struct AdjustOptions {
-  int local_frames = 10;           // free frames of a local adjustment, 2 to 50
-  int local_max_iterations = 10;   // 1 to 200
-  int global_max_iterations = 50;  // 1 to 1000
+  int local_frames = 10;  // free frames of a local adjustment, 2 to 50
+  // Of the local, session and map adjustments of a running drive, 1 to 200; the next goes on.
+  int running_max_iterations = 10;
+  int final_max_iterations = 50;  // of those at the end of a session or a run, 1 to 1000
   double global_growth =
       0.1;               // a global one when frames or landmarks grew by this share, 0.01 to 10
   int global_delay = 2;  // keyframes after which its result is applied, 1 to 100
-  int max_global_frames = 500;    // larger maps are adjusted by windows of so many, 10 to 100000
-  double loss_px = 1.0;           // scale of the robust loss, 0.1 to 20
-  bool planar_motion = false;     // the robots drive on one flat floor (design 5.2.7)
-  double tilt_sigma_deg = 0.5;    // their rocking then, 0.01 to 10
-  double height_sigma_m = 0.002;  // 0.0001 to 0.1
+  int max_global_frames = 500;  // larger maps are adjusted by windows of so many, 10 to 100000
+  double loss_px = 1.0;         // scale of the robust loss, 0.1 to 20
   bool IsValid(std::string* error) const;
 };
 

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "rovio_sfm/geometry/sim3.h"
@@ -17,12 +16,7 @@ struct DriveEvaluation {
   std::vector<StampedPose> ground_truth;  // metres
 };
 
-struct EvaluationOptions {
-  int64_t max_gap_ns = 50'000'000;      // ns, > 0; wider gaps of the ground truth are left out
-  int64_t rpe_step_ns = 1'000'000'000;  // ns, > 0; the relative error is taken over this time
-
-  bool IsValid(std::string* error) const;
-};
+inline constexpr int64_t kMaxTruthGapNs = 50'000'000;  // five samples of a motion capture
 
 // Errors after ONE similarity over all posed images of all drives. Lengths in metres.
 struct EvaluationReport {
@@ -32,14 +26,15 @@ struct EvaluationReport {
   double ate_rmse_m = 0.0, ate_p95_m = 0.0, ate_max_m = 0.0;  // camera centres
   double rotation_rmse_deg = 0.0;
   size_t num_rpe_pairs = 0;
-  std::optional<double> rpe_rmse_m, rpe_rotation_rmse_deg;  // over rpe_step_ns; none without pairs
+  std::optional<double> rpe_rmse_m, rpe_rotation_rmse_deg;  // over a second; none without pairs
   double path_length_m = 0.0;  // of the true centres of the compared images, all drives together
   double scale_error = 0.0;    // |s - 1|: meaningful for metric maps only
 };
 
-// Compares trajectories with the truth by the definitions of docs/benchmarks.md. Nothing where
-// fewer than three poses have ground truth or their centres lie on one line.
+// Compares trajectories with the truth by the definitions of docs/benchmarks.md. Wider gaps
+// of the truth are left out. Nothing where fewer than three poses have ground truth or their
+// centres lie on one line.
 std::optional<EvaluationReport> EvaluateTrajectories(const std::vector<DriveEvaluation>& drives,
-                                                     const EvaluationOptions& options);
+                                                     int64_t max_gap_ns = kMaxTruthGapNs);
 
 }  // namespace rovio_sfm

@@ -33,7 +33,6 @@ struct EvidenceOptions {
   // Neighbours of the query frame must give the same scale.
   double max_log_scale_gap = 0.05;
   double refuted_log_scale_gap = 0.25;
-  int min_overlaps = 2;  // independent ones that confirm each other where one alone does not do
 
   // Names the field, its value and its bound.
   bool IsValid(std::string* error) const;
@@ -51,20 +50,18 @@ struct OverlapEvidence {
   int num_visible = 0;  // landmarks of the other map in the frame's view, from like angle and range
   int num_visible_matched = 0;
   std::vector<double> neighbour_log_scales;  // log(scale by a neighbour / scale of the overlap)
-  int num_overlaps = 1;                      // independent ones that agree, with this one
 };
 
 enum class EvidenceReason : uint8_t {
   kComplete = 0,
-  kConfirmed = 1,      // incomplete, but by several overlaps
-  kTooFewInliers = 2,  // from here on: why provisional
-  kNotSpread = 3,
-  kOneDepth = 4,
-  kVisibilityUnknown = 5,
-  kLowShare = 6,
-  kNeighboursDisagree = 7,
-  kAbsent = 8,  // from here on: why refused
-  kNeighboursContradict = 9,
+  kTooFewInliers = 1,  // from here on: why provisional
+  kNotSpread = 2,
+  kOneDepth = 3,
+  kVisibilityUnknown = 4,
+  kLowShare = 5,
+  kNeighboursDisagree = 6,
+  kAbsent = 7,  // from here on: why refused
+  kNeighboursContradict = 8,
 };
 
 struct EvidenceVerdict {

@@ -28,15 +28,6 @@ struct PoseGraph {
   std::vector<PoseGraphEdge> edges;
 };
 
-struct PoseGraphOptions {
-  int max_iterations = 50;  // of the last solution; those before take at most 6
-  // A switchable edge off by more is left out; 99.9 % of true ones are nearer (7 dimensions).
-  double switch_sigmas = 5.0;
-
-  // Names the field, its value and its bound.
-  bool IsValid(std::string* error) const;
-};
-
 struct PoseGraphReport {
   bool usable = false;                          // false: nothing was changed
   int iterations = 0;                           // of all solutions
@@ -52,6 +43,6 @@ double EdgeErrorSigmas(const PoseGraph& graph, const PoseGraphEdge& edge);
 // 2010). Switchable edges weigh less the worse they fit (Suenderhauf 2012), at first hardly so,
 // that true ones survive a large drift; the worst are left out in the end. Without a fixed node the
 // first one holds the gauge. One thread: the same bytes every time.
-PoseGraphReport OptimizePoseGraph(const PoseGraphOptions& options, PoseGraph* graph);
+PoseGraphReport OptimizePoseGraph(PoseGraph* graph);
 
 }  // namespace rovio_sfm

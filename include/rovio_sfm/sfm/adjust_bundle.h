@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,6 @@ namespace rovio_sfm {
 struct BundleCamera {
   Rigid3 cam_from_map;
   bool fixed = false;
-  std::optional<Rigid3> base_from_camera = {};  // m; of the robot that carries it
 };
 
 struct BundleObservation {
@@ -30,22 +28,10 @@ struct BundleProblem {
   std::vector<BundleObservation> observations;
 };
 
-// A robot on a flat floor (design 5.2.7): every base with known base_from_camera has its origin in
-// one plane and its z along the plane's normal, but for its rocking. Plane and a constant tilt of
-// the mount are unknowns. The heights need the scale: without it only the tilts count.
-struct PlanarMotion {
-  double tilt_sigma_rad = 0.0087;
-  double height_sigma_m = 0.002;
-  double mount_sigma_rad = 0.035;  // of base_from_camera, the same for all cameras
-  double loss_sigmas = 1.0;        // scale of the Cauchy loss, always: a floor may have a ramp
-  std::optional<double> metres_per_unit = {};
-};
-
 struct BundleOptions {
   int max_iterations = 10;
   double loss_sigmas = 1.0;  // scale of the Cauchy loss in residuals of one sigma; 0: squared error
   double function_tolerance = 1e-5;  // stops where a step lowers the cost by a smaller share
-  std::optional<PlanarMotion> planar_motion = {};  // nothing: motion is free
 };
 
 struct BundleReport {
