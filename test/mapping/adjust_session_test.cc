@@ -87,7 +87,7 @@ Session FlatSession() {
   options.world.num_cams = 10;
   options.metres_per_unit = 0.5;
   Session session = MappedDrive(MakeSyntheticDrive(options));
-  session.set_scale({0.5, 0.05, "odometry"});
+  session.set_scale(MapScale{0.5, 0.05, "odometry"});
   return session;
 }
 

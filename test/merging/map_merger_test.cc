@@ -78,8 +78,8 @@ TEST(MapMerger, LetsAMatchWaitForTheScaleItNeeds) {
   }
   sessions.merger.Add(match, sessions.table);
   EXPECT_EQ(sessions.merger.num_waiting(), 1u);
-  sessions.a.set_scale({0.5, 0.05, "odometry"});
-  sessions.b.set_scale({0.5 / OtherGauge().scale, 0.05, "odometry"});
+  sessions.a.set_scale(MapScale{0.5, 0.05, "odometry"});
+  sessions.b.set_scale(MapScale{0.5 / OtherGauge().scale, 0.05, "odometry"});
   sessions.merger.Advance(sessions.table);
   EXPECT_EQ(sessions.merger.num_waiting(), 0u);
   ASSERT_EQ(sessions.merger.Reports().size(), 1u);
