@@ -61,9 +61,13 @@ size_t MapAtRandom(uint64_t seed) {
   MemoryFrameStore store;
   Executor executor(0);
   uint32_t num_sessions = 0;
-  DriveMapper mapper(
-      {{}, &store, &executor, nullptr, [&num_sessions] { return SessionId{++num_sessions}; }},
-      drive.events[0].id.drive, drive.world.camera);
+  DriveMapper mapper({{},
+                      &store,
+                      &executor,
+                      nullptr,
+                      [&num_sessions] { return SessionId{++num_sessions}; },
+                      [](Session*) {}},
+                     drive.events[0].id.drive, drive.world.camera);
   Rng rng(seed + 1000);
   for (const FrameEvent& event : Disorder(drive.events, rng)) {
     mapper.Add(event);

@@ -11,7 +11,8 @@ namespace {
 struct DriveRun {
   explicit DriveRun(const SyntheticDriveOptions& drive_options, const MapperOptions& options = {})
       : drive(MakeSyntheticDrive(drive_options)),
-        mapper({options, &store, &executor, nullptr, [this] { return SessionId{++num_sessions}; }},
+        mapper({options, &store, &executor, nullptr, [this] { return SessionId{++num_sessions}; },
+                [](Session*) {}},
                drive.events[0].id.drive, drive.world.camera) {}
 
   void AddAll() {

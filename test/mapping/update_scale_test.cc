@@ -29,7 +29,7 @@ TEST(UpdateScale, FindsTheScaleOfTheOdometry) {
 
 TEST(UpdateScale, KeepsAnOldScaleInsideTwoSigma) {
   Session session = DriveWithGain(1.05);
-  session.set_scale({kMetresPerUnit, 0.05, "odometry"});
+  session.set_scale(MapScale{kMetresPerUnit, 0.05, "odometry"});
   EXPECT_FALSE(UpdateScale({}, false, &session));
   EXPECT_EQ(session.scale()->metres_per_unit, kMetresPerUnit);
   EXPECT_TRUE(UpdateScale({}, true, &session));
@@ -38,7 +38,7 @@ TEST(UpdateScale, KeepsAnOldScaleInsideTwoSigma) {
 
 TEST(UpdateScale, ReplacesAnOldScaleOutsideTwoSigma) {
   Session session = DriveWithGain(1.3);
-  session.set_scale({kMetresPerUnit, 0.05, "odometry"});
+  session.set_scale(MapScale{kMetresPerUnit, 0.05, "odometry"});
   EXPECT_TRUE(UpdateScale({}, false, &session));
   EXPECT_NEAR(session.scale()->metres_per_unit, 1.3 * kMetresPerUnit, 2e-3);
 }

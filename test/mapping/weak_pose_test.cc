@@ -28,7 +28,7 @@ TEST(PredictWeakPose, TakesTheBaselineOfTheOdometryWhereThereIsAScale) {
   Session session = PosedDrive(drive, 6);
   session.SetPose(4, drive.world.cams_from_map[0]);  // a last step of another length
   EXPECT_GT(PoseDistance(*PredictWeakPose(event, session), drive.world.cams_from_map[6]), 0.5);
-  session.set_scale({0.5, 0.05, "odometry"});
+  session.set_scale(MapScale{0.5, 0.05, "odometry"});
   EXPECT_LT(PoseDistance(*PredictWeakPose(event, session), drive.world.cams_from_map[6]), 1e-2);
   event.odometry.reset();
   EXPECT_GT(PoseDistance(*PredictWeakPose(event, session), drive.world.cams_from_map[6]), 0.5);

@@ -49,12 +49,12 @@ TEST(AlignOverlap, TakesTheScaleOfTheOdometryWhereNoLandmarkIsCommon) {
     if (b.FindLandmark(track) != nullptr) b.RemoveLandmark(track);
   }
   EXPECT_FALSE(AlignOverlap(a, b, 8, match.pairs, MapOptions()).alignment);
-  a.set_scale({0.5, 0.2, "odometry"});
-  b.set_scale({0.5 / OtherGauge().scale, 0.05, "odometry"});
+  a.set_scale(MapScale{0.5, 0.2, "odometry"});
+  b.set_scale(MapScale{0.5 / OtherGauge().scale, 0.05, "odometry"});
   const OverlapAlignment vague = AlignOverlap(a, b, 8, match.pairs, MapOptions());
   EXPECT_FALSE(vague.alignment);
   EXPECT_NE(vague.reason.find("scale"), std::string::npos) << vague.reason;
-  a.set_scale({0.5, 0.05, "odometry"});
+  a.set_scale(MapScale{0.5, 0.05, "odometry"});
   const OverlapAlignment aligned = AlignOverlap(a, b, 8, match.pairs, MapOptions());
   ASSERT_TRUE(aligned.alignment) << aligned.reason;
   EXPECT_LT(ErrorOf(*aligned.alignment), 1e-3);

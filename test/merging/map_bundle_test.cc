@@ -40,6 +40,44 @@ TEST(MapBundle, MakesLinkedLandmarksOnePoint) {
   EXPECT_LT((united - before).norm(), 0.002);
 }
 
+TEST(MapBundle, WeighsLinkedLandmarksByTheirViews) {
+  const TwoDrives two = MakeTwoDrives();
+  Session a = MappedSession(two, false, {}), b = MappedSession(two, true, {});
+  for (const FeatureLink& link : LinksOf(TrueOverlap(two, 5, 5), a.id(), b.id())) {
+    const Landmark *in_a = ObservedLandmark(a, link.a), *in_b = ObservedLandmark(b, link.b);
+    if (in_a == nullptr || in_b == nullptr) continue;
+    const auto views_a = static_cast<double>(in_a->observations.size());
+    const auto views_b = static_cast<double>(in_b->observations.size());
+    if (views_a == views_b) continue;
+    const Eigen::Vector3d truth = in_a->position, shift(0.004, 0.0, 0.0);
+    b.SetPosition(b.keyframe(5).tracks[link.b.feature], truth + shift);
+    MapBundle({{&a, {}}, {&b, {}}}, {link}, 4.0).Apply();
+    const Eigen::Vector3d mean = truth + views_b / (views_a + views_b) * shift;
+    EXPECT_LT((ObservedLandmark(a, link.a)->position - mean).norm(), 1e-9);
+    return;
+  }
+  FAIL() << "no link of landmarks with different numbers of views";
+}
+
+TEST(MapBundle, GivesAPointOneFeatureOfAFrame) {
+  const TwoDrives two = MakeTwoDrives();
+  Session a = MappedSession(two, false, {}), b = MappedSession(two, true, {});
+  const auto links = LinksOf(TrueOverlap(two, 5, 5), a.id(), b.id());
+  const FeatureLink *first = nullptr, *second = nullptr;  // both ends of both have landmarks
+  for (const FeatureLink& link : links) {
+    if (ObservedLandmark(a, link.a) == nullptr || ObservedLandmark(b, link.b) == nullptr) continue;
+    (first == nullptr ? first : second) = &link;
+    if (second != nullptr) break;
+  }
+  ASSERT_NE(second, nullptr);
+  // Another landmark of b where the first one is; both are linked to one landmark of a.
+  b.SetPosition(b.keyframe(5).tracks[second->b.feature], ObservedLandmark(b, first->b)->position);
+  const MapBundle bundle({{&a, {}}, {&b, {}}}, {*first, {first->a, second->b}}, 1e6);
+  const SharedLandmarks shared = bundle.FindShared();
+  EXPECT_EQ(shared.count({b.id(), b.keyframe(5).tracks[first->b.feature]}), 1u);
+  EXPECT_EQ(shared.count({b.id(), b.keyframe(5).tracks[second->b.feature]}), 0u);
+}
+
 TEST(MapBundle, DoesNotUniteLandmarksThatLieApart) {
   const TwoDrives two = MakeTwoDrives();
   Session a = MappedSession(two, false, {}), b = MappedSession(two, true, {});

@@ -26,6 +26,16 @@ TEST(ShareScales, MeansLogarithmsByInverseVariance) {
   EXPECT_NEAR(sessions[0].scale->sigma_log, 0.1 / std::sqrt(2.0), 1e-12);
 }
 
+TEST(ShareScales, NamesEverySourceOnce) {
+  std::vector<SessionSnapshot> sessions = {Member(1, 1, 1.0, MapScale{2.0, 0.1, "odometry"}),
+                                           Member(2, 1, 1.0, MapScale{2.0, 0.1, "camera height"}),
+                                           Member(3, 1, 1.0, MapScale{2.0, 0.1, "odometry"})};
+  ShareScales(&sessions);
+  for (const SessionSnapshot& session : sessions) {
+    EXPECT_EQ(session.scale->source, "camera height, odometry");
+  }
+}
+
 TEST(ShareScales, GivesAScaleToSessionsWithoutOne) {
   std::vector<SessionSnapshot> sessions = {Member(1, 1, 1.0, std::nullopt),
                                            Member(2, 1, 2.0, MapScale{3.0, 0.1, "odometry"}),

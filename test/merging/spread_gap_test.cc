@@ -78,6 +78,21 @@ TEST(SpreadGap, ClosesALoopOverAllFrames) {
             1e-9);
 }
 
+TEST(SpreadGap, TakesALinkedSessionAlong) {
+  const TwoDrives two = MakeTwoDrives();
+  const Session truth = MappedSession(two, false, {});
+  Session drifted = Drifted(truth, 1.002), linked = MappedSession(two, true, {});
+  const auto links = LinksOf(TrueOverlap(two, 14, 14), drifted.id(), linked.id());
+  const MergeReport loop = LoopOf(drifted, truth, 0, 15, std::pow(1.002, 15));
+  const Rigid3 other = linked.keyframe(14).cam_from_session;
+  const Rigid3 before = other * Inverse(drifted.keyframe(14).cam_from_session);
+  ASSERT_TRUE(SpreadGap({{&drifted, {}}, {&linked, {}}}, loop, links));
+  EXPECT_GT(PoseDistance(linked.keyframe(14).cam_from_session, other), 0.01);
+  const Rigid3 after =
+      linked.keyframe(14).cam_from_session * Inverse(drifted.keyframe(14).cam_from_session);
+  EXPECT_LT(PoseDistance(after, before), 0.01);
+}
+
 TEST(SpreadGap, LeavesAClosedLoopAlone) {
   const TwoDrives two = MakeTwoDrives();
   const Session truth = MappedSession(two, false, {});

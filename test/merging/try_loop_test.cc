@@ -34,6 +34,17 @@ TEST(TryLoop, LeavesTooFewMatchesToBeJudged) {
   EXPECT_FALSE(TryLoop({&a, {}}, {&b, {}}, match.query, match.pairs, MapOptions()));
 }
 
+TEST(TryLoop, CountsALinkOnce) {
+  const TwoDrives two = MakeTwoDrives();
+  Session a = MappedSession(two, false, {}), b = MappedSession(two, true, {});
+  PlaceMatch match = TrueOverlap(two, 8, 8);
+  match.pairs.push_back(match.pairs[0]);
+  const auto trial = TryLoop({&a, {}}, {&b, {}}, match.query, match.pairs, MapOptions());
+  ASSERT_TRUE(trial);
+  EXPECT_EQ(trial->links.size(), match.pairs[0].inliers.size());
+  EXPECT_EQ(trial->report.num_links, match.pairs[0].inliers.size());
+}
+
 TEST(TryLoop, PassesOverFeaturesThatDoNotExist) {
   const TwoDrives two = MakeTwoDrives();
   Session a = MappedSession(two, false, {}), b = MappedSession(two, true, {});

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "merging/two_drives.h"
@@ -25,6 +26,21 @@ TEST(TryOverlap, ProvesATrueOverlap) {
     EXPECT_GT(trial.links.size(), match.pairs[0].inliers.size());
     EXPECT_TRUE(std::is_sorted(trial.links.begin(), trial.links.end()));
   }
+}
+
+TEST(TryOverlap, LinksNoWeakFrame) {
+  const TwoDrives two = MakeTwoDrives();
+  const Session a = MappedSession(two, false, {});
+  Session b = MappedSession(two, true, OtherGauge());
+  const PlaceMatch match = TrueOverlap(two, 8, 8);
+  const auto num_links_of_9 = [&] {
+    const auto links = TryOverlap(a, b, match.query, match.pairs, MapOptions(), StoreOf(two)).links;
+    return std::count_if(links.begin(), links.end(),
+                         [](const FeatureLink& link) { return link.b.frame == 9; });
+  };
+  EXPECT_GT(num_links_of_9(), 10);
+  b.SetWeak(9, true);
+  EXPECT_EQ(num_links_of_9(), 0);
 }
 
 TEST(TryOverlap, ChangesNothing) {

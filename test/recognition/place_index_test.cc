@@ -56,6 +56,19 @@ TEST_F(PlaceIndexTest, CandidatesAreOfDifferentPlaces) {
   }
 }
 
+TEST_F(PlaceIndexTest, FramesOfTwoDrivesAreDifferentPlaces) {
+  index_.Add({kSecond, 0}, WordsOf(0), std::nullopt);  // its first, as kFirst's first ten
+  const auto proposal = index_.AskAll(WordsOf(0), Candidates(2));
+  ASSERT_EQ(proposal.candidates.size(), 2u);
+  EXPECT_NE(proposal.candidates[0].id.drive, proposal.candidates[1].id.drive);
+}
+
+TEST_F(PlaceIndexTest, ManyFramesOfOnePlaceLeaveRoomForTheNext) {
+  for (uint32_t i = 30; i < 39; ++i) index_.Add({kFirst, 2 * i}, WordsOf(2), std::nullopt);
+  const auto proposal = index_.AskAll(WordsOf(2), Candidates(2));  // shown by 19 frames in a row
+  EXPECT_EQ(proposal.candidates.size(), 2u);
+}
+
 TEST_F(PlaceIndexTest, NothingIsProposedBelowTheScore) {
   CandidateOptions options = Candidates(3);
   options.min_score = 1e6;

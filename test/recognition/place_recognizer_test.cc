@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "recognition/place_frames.h"
 #include "rovio_sfm/scene/memory_frame_store.h"
 
@@ -45,6 +47,22 @@ class PlaceRecognizerTest : public testing::Test {
     return all;
   }
 
+  // Leaves a keyframe every third feature of those that it was known by.
+  void Thin(const SyntheticRoom& room, const FrameId& id) {
+    const auto whole = room.FeaturesOf(id.index % kCams);
+    auto thin = std::make_shared<FrameFeatures>();
+    thin->descriptors = whole->descriptors;
+    thin->descriptors.data.clear();
+    for (size_t i = 0; i < whole->keypoints.size(); i += 3) {
+      thin->keypoints.push_back(whole->keypoints[i]);
+      thin->colors.push_back(whole->colors[i]);
+      const uint8_t* row = whole->descriptors.Row(i);
+      thin->descriptors.data.insert(thin->descriptors.data.end(), row,
+                                    row + whole->descriptors.length);
+    }
+    store_.Put(id, thin);
+  }
+
   MemoryFrameStore store_;
   SyntheticRoom hall_, attic_, cellar_;
 };
@@ -59,6 +77,24 @@ TEST_F(PlaceRecognizerTest, SecondDriveIsMatchedWithTheFirstAndTheFramesAround) 
   EXPECT_GE(matches[0].pairs.size(), 3u);
   EXPECT_GT(matches[0].score, 0.0);
   EXPECT_GT(matches[0].probability, 0.0);
+}
+
+TEST_F(PlaceRecognizerTest, AMatchHasFramesBeforeAndAfterTheMatchedOne) {
+  PlaceRecognizer places = Make();
+  Pass(hall_, kFirst, 0, &places);
+  const std::vector<PlaceMatch> matches = places.Add(Event(hall_, kSecond, 2));
+  ASSERT_EQ(matches.size(), 1u);
+  std::set<uint32_t> others;
+  for (const OverlapPair& pair : matches[0].pairs) others.insert(pair.other.index);
+  EXPECT_EQ(others.count(1), 1u);
+  EXPECT_EQ(others.count(3), 1u);
+}
+
+TEST_F(PlaceRecognizerTest, RememberedFramesAreOfTheRecentPast) {
+  PlaceRecognizer places = Make();
+  for (uint32_t i = 0; i < 5; ++i) places.Remember(Event(hall_, kFirst, i));
+  EXPECT_TRUE(places.Add(Event(hall_, kFirst, 5)).empty());
+  EXPECT_EQ(places.counters().only_recent, 1u);
 }
 
 TEST_F(PlaceRecognizerTest, DriveDoesNotMatchItsRecentPast) {
@@ -87,6 +123,21 @@ TEST_F(PlaceRecognizerTest, EachDriveMatchesOnceBest) {
   ASSERT_EQ(matches.size(), 2u);
   EXPECT_NE(matches[0].pairs.front().other.drive, matches[1].pairs.front().other.drive);
   EXPECT_EQ(places.counters().outdone, num_outdone + 1);
+}
+
+TEST_F(PlaceRecognizerTest, OfOneDriveTheFrameWithMostInliersIsMatched) {
+  for (const uint32_t poor_pass : {0u, 2u}) {  // proposed before the rich one, and after it
+    PlaceRecognizer places = Make();
+    Pass(hall_, kFirst, 0, &places);
+    Pass(attic_, kFirst, kCams, &places);
+    Pass(hall_, kFirst, 2 * kCams, &places);
+    for (uint32_t i = 0; i < kCams; ++i) Thin(hall_, {kFirst, poor_pass * kCams + i});
+    const uint64_t num_outdone = places.counters().outdone;
+    const std::vector<PlaceMatch> matches = places.Add(Event(hall_, kSecond, 2));
+    ASSERT_EQ(matches.size(), 1u);
+    EXPECT_EQ(places.counters().outdone, num_outdone + 1);
+    EXPECT_EQ(matches[0].pairs.front().other.index / kCams, 2 - poor_pass);
+  }
 }
 
 TEST_F(PlaceRecognizerTest, ForeignRoomIsRefusedAndCounted) {
@@ -164,6 +215,14 @@ TEST_F(PlaceRecognizerTest, OverlapsOfOneDriveLeaveOutNeighbors) {
         static_cast<int>(match.pairs.front().other.index) - static_cast<int>(match.query.index);
     EXPECT_GT(std::abs(gap), 3);
   }
+}
+
+TEST_F(PlaceRecognizerTest, OverlapsOfOneDriveMayBeNearWhereTheOtherIsNoQuery) {
+  PlaceRecognizer places = Make();
+  for (uint32_t i = 0; i < kCams; ++i) places.Remember(Event(hall_, kFirst, i));
+  const auto matches = places.FindOverlaps({{kFirst, 2}}, {{kFirst, 2}, {kFirst, 3}});
+  ASSERT_EQ(matches.size(), 1u);
+  EXPECT_EQ(matches[0].pairs.front().other, (FrameId{kFirst, 3}));
 }
 
 TEST_F(PlaceRecognizerTest, ImageIsFoundButNotRemembered) {

@@ -64,6 +64,26 @@ TEST(RecentPast, LinkedTracksBeganWithTheOlder) {
   EXPECT_EQ(past.Add(Tracks(6, 5), links), 0u);
 }
 
+TEST(RecentPast, LinkedTracksBeganWithTheOlderWhicheverIsNamedFirst) {
+  RecentPast past(Options(1, 5));
+  past.Add(Tracks(1, 5), {});
+  past.Add(Tracks(1, 10), {});
+  std::vector<TrackLink> links;
+  for (TrackId i = 1; i <= 5; ++i) links.push_back({i + 5, i});
+  EXPECT_EQ(past.Add(Tracks(6, 5), links), 0u);
+}
+
+TEST(RecentPast, RemembersTracksThatPause) {
+  RecentPast past(Options(1, 5));
+  const auto with_old = [](std::vector<TrackId> tracks) {
+    for (const TrackId track : Tracks(1, 10)) tracks.push_back(track);
+    return tracks;
+  };
+  past.Add(with_old(Tracks(101, 10)), {});
+  for (TrackId i = 1; i < 50; ++i) EXPECT_GT(past.Add(Tracks(101 + 5 * i, 10), {}) + 3, i);
+  EXPECT_EQ(past.Add(with_old(Tracks(1001, 10)), {}), 0u);
+}
+
 TEST(RecentPast, FeaturesWithoutTrackCountForNothing) {
   RecentPast past(Options(20, 5));
   past.Add(std::vector<TrackId>(10, 0), {});

@@ -44,6 +44,15 @@ TEST(VerifyPlace, RefusesInliersInOneCornerOfTheImage) {
   EXPECT_EQ(VerifyPlace(corner, room.FrameOf(kSecond, 1), {}, 1).refusal, PlaceRefusal::kSpread);
 }
 
+TEST(VerifyPlace, RefusesInliersInOneCornerOfTheQuery) {
+  const SyntheticRoom room(1);
+  PlaceFrame corner = room.FrameOf(kSecond, 1);
+  auto crowded = std::make_shared<FrameFeatures>(*corner.features);
+  for (Keypoint& keypoint : crowded->keypoints) keypoint.x_px = keypoint.y_px = 5.0f;
+  corner.features = crowded;
+  EXPECT_EQ(VerifyPlace(room.FrameOf(kFirst, 0), corner, {}, 1).refusal, PlaceRefusal::kSpread);
+}
+
 TEST(VerifyPlace, MatchesTwoDifferentCameras) {
   const SyntheticRoom room(1);
   PlaceFrame other = room.FrameOf(kFirst, 0);

@@ -30,6 +30,7 @@ class ReaderRun {
   std::vector<ImageLink> links;
   std::vector<std::string> reasons;
   std::vector<double> waits_s;
+  int64_t clock_step_ns = 1000000;  // from one look at the clock to the next
   size_t max_images = 1000;
 
  private:
@@ -43,7 +44,7 @@ class ReaderRun {
       links.push_back(link);
       reasons.push_back(reason);
     };
-    callbacks.now_ns = [this] { return now_ns_ += 1000000; };
+    callbacks.now_ns = [this] { return now_ns_ += clock_step_ns; };
     callbacks.wait = [this](double seconds) {
       waits_s.push_back(seconds);
       now_ns_ += static_cast<int64_t>(seconds * 1e9);
@@ -74,6 +75,17 @@ TEST(ImageReader, HandsOnTheImagesOfTheStreamWithRisingStamps) {
   EXPECT_GT(run.images[1].stamp_ns, run.images[0].stamp_ns);
   EXPECT_GE(run.images[1].complete_ns, run.images[1].stamp_ns);
   EXPECT_EQ(run.links, (std::vector<ImageLink>{ImageLink::kStream, ImageLink::kDown}));
+}
+
+TEST(ImageReader, StampsRiseThoughTheClockFalls) {
+  ReaderRun run({});
+  run.clock_step_ns = -1000000;
+  run.robot.AnswerStream(
+      StreamOf({JpegSample(640, 480, 'a'), JpegSample(640, 480, 'b'), JpegSample(640, 480, 'c')}));
+  run.Run(1);
+  ASSERT_EQ(run.images.size(), 3u);
+  EXPECT_EQ(run.images[1].stamp_ns, run.images[0].stamp_ns + 1);
+  EXPECT_EQ(run.images[2].stamp_ns, run.images[0].stamp_ns + 2);
 }
 
 TEST(ImageReader, DropsAndCountsDamagedImages) {
@@ -137,6 +149,19 @@ TEST(ImageReader, SaysThatTheLoginWasRefused) {
   run.robot.AnswerStream(refused);
   run.Run(1);
   EXPECT_EQ(run.reasons, (std::vector<std::string>{"stream: login refused (401)"}));
+}
+
+TEST(ImageReader, ARefusedLoginIsNoReasonToAskForStills) {
+  ReaderRun run({});
+  FakeHttpTransport::StreamScript refused;
+  refused.status = 401;
+  run.robot.AnswerStream(refused);
+  run.robot.AnswerStill(FakeHttpTransport::Ok(JpegSample(640, 480)));
+  run.max_images = 1;
+  run.Run(6);
+  EXPECT_TRUE(run.images.empty());
+  EXPECT_EQ(run.robot.targets.size(), 6u);
+  for (const std::string& target : run.robot.targets) EXPECT_EQ(target, run.robot.targets[0]);
 }
 
 TEST(ImageReader, ASourceOfStillsNeverOpensTheStream) {

@@ -64,6 +64,20 @@ TEST(JudgeOverlap, HoldsBackInliersInOneCorner) {
   EXPECT_NE(verdict.text.find("columns"), std::string::npos);
 }
 
+TEST(JudgeOverlap, HoldsBackInliersInTooFewRows) {
+  OverlapEvidence evidence = CompleteEvidence();
+  for (EvidenceInlier& inlier : evidence.inliers) {
+    inlier.x_normalized.y() = -0.2 + 0.3 * inlier.x_normalized.y();
+  }
+  EvidenceOptions options;
+  const EvidenceVerdict verdict = JudgeOverlap(evidence, options);
+  EXPECT_EQ(verdict.reason, EvidenceReason::kNotSpread);
+  EXPECT_EQ(verdict.num_columns, 4);
+  ASSERT_LT(verdict.num_rows, options.min_rows);
+  options.min_rows = verdict.num_rows;  // as many will do
+  EXPECT_NE(JudgeOverlap(evidence, options).reason, EvidenceReason::kNotSpread);
+}
+
 TEST(JudgeOverlap, HoldsBackAPosterInFrontOfTheCamera) {
   const EvidenceVerdict verdict = JudgeOverlap(MakeEvidence(FlatWorld()), {});
   EXPECT_EQ(verdict.verdict, MergeVerdict::kProvisional);

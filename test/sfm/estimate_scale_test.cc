@@ -90,6 +90,45 @@ TEST(EstimateScale, ScatterWidensTheSigma) {
   EXPECT_LT(std::abs(std::log(noisy->metres_per_unit / kMetresPerUnit)), 3.0 * noisy->sigma_log);
 }
 
+// The same drive seen more often: samples between each two.
+std::vector<ScaleSample> MakeDense(const std::vector<ScaleSample>& samples, int num_between) {
+  std::vector<ScaleSample> dense;
+  for (size_t i = 0; i + 1 < samples.size(); ++i) {
+    const ScaleSample &from = samples[i], &to = samples[i + 1];
+    for (int k = 0; k <= num_between; ++k) {
+      const double share = static_cast<double>(k) / (num_between + 1);
+      const auto mean = [share](const auto& a, const auto& b) { return a + share * (b - a); };
+      const Eigen::Vector3d seen_m =
+          kMetresPerUnit * mean(OriginInA(from.cam_from_map), OriginInA(to.cam_from_map));
+      const Eigen::Vector3d measured_m =
+          mean(from.odom_from_camera.translation, to.odom_from_camera.translation);
+      dense.push_back(
+          MakeSample(seen_m.head<2>(), measured_m.head<2>(), mean(from.yaw_rad, to.yaw_rad)));
+    }
+  }
+  return dense;
+}
+
+TEST(EstimateScale, SigmaDoesNotFallWithTheRateOfFrames) {
+  DriveOptions drive;
+  drive.gain_noise = 0.2;
+  drive.num_frames = 100;
+  EstimateScaleOptions options;
+  options.odometry_gain_sigma = 1e-4;  // the scatter alone
+  options.sideways_sigma = 0.0;
+  const auto samples = MakeDrive(drive);
+  const auto once = EstimateScale(samples, options);
+  const auto often = EstimateScale(MakeDense(samples, 9), options);
+  ASSERT_TRUE(once && often);
+  EXPECT_NEAR(once->sigma_log, often->sigma_log, 0.35 * once->sigma_log);
+}
+
+TEST(EstimateScale, BeginsAWindowAtEverySample) {
+  DriveOptions drive;
+  drive.num_frames = 8;  // 0.7 m: four windows of 0.4 m, one without overlap
+  EXPECT_TRUE(EstimateScale(MakeDrive(drive), {}));
+}
+
 TEST(EstimateScale, ConfessesTheGainOfForwardMotionInsideTwoSigma) {
   for (const double gain : {0.95, 1.05}) {
     DriveOptions drive;

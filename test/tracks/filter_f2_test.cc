@@ -45,6 +45,16 @@ TEST(PassesFilterF2, AcceptsTheSamePointAndRefusesAnother) {
   EXPECT_FALSE(PassesFilterF2(a, MakeLandmark(world, other, {3, 4}, other), {}));
 }
 
+TEST(PassesFilterF2, AsksTheViewsOfBothLandmarks) {
+  const SyntheticWorld world = MakeWorld();
+  const Eigen::Vector3d other = kPoint + Eigen::Vector3d(0.05, 0, 0);
+  // The mean lies near the landmark of more views: the other's views alone speak against it.
+  const LandmarkViews many = MakeLandmark(world, kPoint, {0, 1, 2, 3}, kPoint);
+  const LandmarkViews few = MakeLandmark(world, other, {3, 4}, other);
+  EXPECT_FALSE(PassesFilterF2(many, few, {}));
+  EXPECT_FALSE(PassesFilterF2(few, many, {}));
+}
+
 TEST(PassesFilterF2, AcceptsAPointWhoseDepthIsUncertain) {
   const SyntheticWorld world = MakeWorld();
   const LandmarkViews a = MakeLandmark(world, kPoint, {0, 1, 2}, kPoint);
