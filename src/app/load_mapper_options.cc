@@ -32,7 +32,6 @@ void ReadAdjust(OptionReader reader, AdjustOptions* options) {
   reader.Read("running_max_iterations", &options->running_max_iterations);
   reader.Read("final_max_iterations", &options->final_max_iterations);
   reader.Read("global_growth", &options->global_growth);
-  reader.Read("global_delay", &options->global_delay);
   reader.Read("max_global_frames", &options->max_global_frames);
   reader.Read("loss_px", &options->loss_px);
   reader.RefuseUnknown();

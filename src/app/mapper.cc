@@ -6,9 +6,12 @@
 
 namespace rovio_sfm {
 
-Mapper::Mapper(const MapOptions& options, FrameStore* store, Executor* executor, StageTimes* times)
-    : options_(options), keeper_(options, store), context_{options,  store, keeper_.LendSessions(),
-                                                           executor, times, UpdateOdometryDelay} {
+Mapper::Mapper(const MapOptions& options, FrameStore* store, Executor* executor, StageTimes* times,
+               ResultTiming timing)
+    : options_(options),
+      keeper_(options, store, executor, timing, times),
+      context_{options, store, keeper_.LendSessions(), executor,
+               timing,  times, UpdateOdometryDelay} {
   std::string error;
   ROVIO_CHECK(options.IsValid(&error), error);
 }
@@ -17,6 +20,10 @@ MapperReport Mapper::Add(const FrameEvent& event) {
   auto& drive = drives_[event.id.drive];
   if (drive == nullptr) {
     drive = std::make_unique<DriveMapper>(context_, event.id.drive, event.camera);
+  }
+  if (event.kind == FrameKind::kKeyframe) {
+    const auto scope = MeasureStage(context_.times, "merge");
+    keeper_.CountKeyframe();
   }
   MapperReport report = drive->Add(event);
   if (report.outcome == MapperOutcome::kHeld) TrySeed(event.id.drive);
@@ -65,8 +72,9 @@ bool Mapper::FinishSession(const DriveId& drive) {
   const auto it = drives_.find(drive);
   if (it == drives_.end()) return false;
   TrySeed(drive);
+  const SessionId session = it->second->current_session();
   it->second->Finish();
-  AdjustMaps();
+  AdjustMaps(session);
   return true;
 }
 
@@ -75,18 +83,18 @@ void Mapper::Finish() {
     TrySeed(id);
     drive->Finish();
   }
-  AdjustMaps();
+  AdjustMaps(std::nullopt);
   keeper_.GiveUpWaiting();
 }
 
 // A session's own final adjustment knows nothing of the others: the maps they share are adjusted
 // once more, together.
-void Mapper::AdjustMaps() {
+void Mapper::AdjustMaps(std::optional<SessionId> of) {
   const auto scope = MeasureStage(context_.times, "merge");
   std::map<SessionId, uint64_t> revisions;
   for (const auto& [id, session] : keeper_.sessions().all()) revisions[id] = session->revision();
   keeper_.Advance();
-  keeper_.AdjustFinally();
+  of ? keeper_.AdjustFinally(*of) : keeper_.AdjustAllFinally();
   for (const auto& [id, revision] : revisions) {
     Session* session = keeper_.LendSessions()->Lend(id);
     if (session->revision() != revision) RefineLightFrames(options_, session);

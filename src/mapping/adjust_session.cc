@@ -90,10 +90,12 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
   return total;
 }
 
-GlobalAdjustment::GlobalAdjustment(const MapperOptions& options, Executor* executor)
+GlobalAdjustment::GlobalAdjustment(const MapperOptions& options, Executor* executor,
+                                   ResultTiming timing)
     : options_(options.adjust),
       loss_sigmas_(options.adjust.loss_px / options.pixel_sigma_px),
-      executor_(executor) {}
+      executor_(executor),
+      timing_(timing) {}
 
 void GlobalAdjustment::MaybeStart(const Session& session) {
   const size_t num_frames = session.keyframes().size();
@@ -103,29 +105,35 @@ void GlobalAdjustment::MaybeStart(const Session& session) {
       static_cast<double>(num_frames) > growth * static_cast<double>(num_frames_at_last_) ||
       static_cast<double>(num_landmarks) > growth * static_cast<double>(num_landmarks_at_last_);
   if (running_ || num_frames < kMinGlobalFrames || !grown) return;
-  num_frames_at_last_ = num_frames;
-  num_landmarks_at_last_ = num_landmarks;
+  Start(session);
+}
+
+void GlobalAdjustment::Restart(const Session& session) {
+  if (running_) Start(session);
+}
+
+void GlobalAdjustment::Start(const Session& session) {
+  num_frames_at_last_ = session.keyframes().size();
+  num_landmarks_at_last_ = session.landmarks().size();
   const BundleOptions bundle_options{options_.running_max_iterations, loss_sigmas_};
-  running_.emplace();
-  running_->result = executor_->Submit(
+  auto solved = executor_->Submit(
       [bundle = MakeGlobalBundle(session), bundle_options, options = options_]() mutable {
         if (!Adjust(bundle_options, options, &bundle)) bundle = {};
         return std::move(bundle);
       });
+  running_ = std::make_unique<DelayedResult<SessionBundle>>(std::move(solved), num_frames_at_last_,
+                                                            timing_);
 }
 
-bool GlobalAdjustment::Advance(Session* session) {
-  if (!running_ || ++running_->num_keyframes_since < options_.global_delay) return false;
-  const SessionBundle bundle = running_->result.get();
+bool GlobalAdjustment::Advance(Session* session, StageTimes* times) {
+  if (!running_) return false;
+  running_->CountKeyframe();
+  if (!running_->IsDue()) return false;
+  const SessionBundle bundle = running_->Take(times);
   running_.reset();
   if (bundle.frames.empty()) return false;
   ApplyBundle(bundle, true, session);
   return true;
-}
-
-void GlobalAdjustment::Abandon() {
-  if (running_) running_->result.wait();
-  running_.reset();
 }
 
 }  // namespace rovio_sfm

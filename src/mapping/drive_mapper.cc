@@ -26,7 +26,7 @@ DriveMapper::DriveMapper(const MapperContext& context, DriveId drive, Camera cam
     : context_(context),
       drive_(std::move(drive)),
       camera_(camera),
-      global_(context.options, context.executor) {
+      global_(context.options, context.executor, context.timing) {
   OpenSession();
 }
 
@@ -55,11 +55,11 @@ MapperReport DriveMapper::Add(const FrameEvent& event) {
   return report;
 }
 
-// What was computed from the session is forgotten where it was changed from outside (merged,
+// What is being computed of the session is begun again where it was changed from outside (merged,
 // undone).
 void DriveMapper::Settle() {
   if (current().revision() == settled_revision_ || current().keyframes().empty()) return;
-  global_.Abandon();
+  global_.Restart(current());
   if (last_pose_) last_pose_ = current().keyframes().rbegin()->second.cam_from_session;
 }
 
@@ -156,7 +156,7 @@ void DriveMapper::InsertHeld(const FrameEvent& event) {
 }
 
 void DriveMapper::AddKeyframe(const FrameEvent& event, MapperReport* report) {
-  if (global_.Advance(&current())) ++counters_.global_adjustments;
+  if (global_.Advance(&current(), context_.times)) ++counters_.global_adjustments;
   LinkTracks(context_.options.f2, &pending_links_, &current());
   const auto registration = Resect(event, report);
   if (!registration) return AddWeak(event, report);
@@ -270,7 +270,7 @@ void DriveMapper::PoseWaitingLightFrames() {
 void DriveMapper::OpenSession() {
   num_waited_ = 0;
   current_ = &context_.sessions->Open(drive_, camera_);
-  global_ = GlobalAdjustment(context_.options, context_.executor);
+  global_ = GlobalAdjustment(context_.options, context_.executor, context_.timing);
 }
 
 void DriveMapper::CloseSession(SessionState state) {

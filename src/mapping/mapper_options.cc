@@ -37,7 +37,6 @@ bool AdjustOptions::IsValid(std::string* error) const {
   checker.Range("running_max_iterations", running_max_iterations, 1, 200);
   checker.Range("final_max_iterations", final_max_iterations, 1, 1000);
   checker.Range("global_growth", global_growth, 0.01, 10.0);
-  checker.Range("global_delay", global_delay, 1, 100);
   checker.Range("max_global_frames", max_global_frames, 10, 100000);
   checker.Range("loss_px", loss_px, 0.1, 20.0);
   return checker.Passed();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "rovio_sfm/mapping/stage_options.h"
 
@@ -80,6 +81,35 @@ uint32_t PruneSessions(const std::vector<PlacedSession>& sessions, const MapperO
   return num_removed;
 }
 
+double MaxErrorSigmas(const MapperOptions& options) {
+  return options.prune.max_error_px / options.pixel_sigma_px;
+}
+
+double LossSigmas(const MapperOptions& options) {
+  return options.adjust.loss_px / options.pixel_sigma_px;
+}
+
+size_t NumFrames(const std::vector<PlacedSession>& sessions) {
+  size_t count = 0;
+  for (const PlacedSession& placed : sessions) count += placed.session->keyframes().size();
+  return count;
+}
+
+// One round, as the map is adjusted again when its sessions end.
+std::future<std::unique_ptr<MapBundle>> SolveBeside(const std::vector<PlacedSession>& sessions,
+                                                    const std::vector<FeatureLink>& links,
+                                                    const MapperOptions& options,
+                                                    Executor* executor) {
+  auto bundle =
+      std::make_shared<MapBundle>(sessions, links, kLooseFactor * MaxErrorSigmas(options));
+  const BundleOptions solve{options.adjust.running_max_iterations, LossSigmas(options)};
+  const auto max_frames = static_cast<size_t>(options.adjust.max_global_frames);
+  return executor->Submit([bundle, solve, max_frames]() -> std::unique_ptr<MapBundle> {
+    if (!bundle->Solve(solve, max_frames).usable) return nullptr;
+    return std::make_unique<MapBundle>(std::move(*bundle));
+  });
+}
+
 }  // namespace
 
 LinkStatistics MeasureLinks(const std::vector<PlacedSession>& sessions,
@@ -106,33 +136,50 @@ LinkStatistics MeasureLinks(const std::vector<PlacedSession>& sessions,
   return statistics;
 }
 
-MapAdjustmentReport AdjustMap(const std::vector<PlacedSession>& sessions,
-                              const MapperOptions& options, bool is_final,
-                              std::vector<FeatureLink>* links) {
-  const double max_error_sigmas = options.prune.max_error_px / options.pixel_sigma_px;
-  const double loss_sigmas = options.adjust.loss_px / options.pixel_sigma_px;
+MapAdjustmentReport AdjustMapFinally(const std::vector<PlacedSession>& sessions,
+                                     const MapperOptions& options,
+                                     std::vector<FeatureLink>* links) {
+  const double max_error_sigmas = MaxErrorSigmas(options);
   const auto max_frames = static_cast<size_t>(options.adjust.max_global_frames);
   MapAdjustmentReport report;
   report.before = MeasureLinks(sessions, *links);
-  const int num_rounds = is_final ? kFinalRounds : 1;
-  const int max_iterations =  // the map is adjusted again when its sessions end
-      is_final ? options.adjust.final_max_iterations : options.adjust.running_max_iterations;
-  for (int round = 0; round <= num_rounds; ++round) {
-    const bool is_last = round == num_rounds;
-    if (is_last && !is_final) break;
+  for (int round = 0; round <= kFinalRounds; ++round) {
+    const bool is_last = round == kFinalRounds;
     const double link_error = round == 0 ? kLooseFactor * max_error_sigmas : max_error_sigmas;
     MapBundle bundle(sessions, *links, link_error);
-    if (!bundle.Solve({max_iterations, is_last ? 0.0 : loss_sigmas}, max_frames).usable) {
-      break;
-    }
+    const BundleOptions solve{options.adjust.final_max_iterations,
+                              is_last ? 0.0 : LossSigmas(options)};
+    if (!bundle.Solve(solve, max_frames).usable) break;
     bundle.Apply();
     report.usable = true;
     report.shared = bundle.FindShared();
     if (is_last) break;
     report.num_dropped_links += DropBadLinks(sessions, max_error_sigmas, links);
-    if (PruneSessions(sessions, options) == 0 && is_final) round = num_rounds - 1;
+    if (PruneSessions(sessions, options) == 0) round = kFinalRounds - 1;
   }
   report.after = MeasureLinks(sessions, *links);
+  return report;
+}
+
+MapAdjustment::MapAdjustment(const std::vector<PlacedSession>& sessions,
+                             const std::vector<FeatureLink>& links, const MapperOptions& options,
+                             Executor* executor, ResultTiming timing)
+    : sessions_(sessions),
+      before_(MeasureLinks(sessions, links)),
+      result_(SolveBeside(sessions, links, options, executor), NumFrames(sessions), timing) {}
+
+MapAdjustmentReport MapAdjustment::Apply(const MapperOptions& options,
+                                         std::vector<FeatureLink>* links, StageTimes* times) {
+  MapAdjustmentReport report;
+  report.before = before_;
+  if (const std::unique_ptr<MapBundle> bundle = result_.Take(times)) {
+    bundle->Apply();
+    report.usable = true;
+    report.shared = bundle->FindShared();
+    report.num_dropped_links = DropBadLinks(sessions_, MaxErrorSigmas(options), links);
+    PruneSessions(sessions_, options);
+  }
+  report.after = MeasureLinks(sessions_, *links);
   return report;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "rovio_sfm/merging/adjust_map.h"
 #include "rovio_sfm/merging/confirm_overlap.h"
@@ -75,8 +76,9 @@ bool IsPossible(MergeVerdict verdict, bool force) {
 
 }  // namespace
 
-MapKeeper::MapKeeper(const MapOptions& options, const FrameStore* store)
-    : options_(options), store_(store) {}
+MapKeeper::MapKeeper(const MapOptions& options, const FrameStore* store, Executor* executor,
+                     ResultTiming timing, StageTimes* times)
+    : options_(options), store_(store), executor_(executor), timing_(timing), times_(times) {}
 
 void MapKeeper::Add(const PlaceMatch& match) {
   const FrameId& other = match.pairs.front().other;
@@ -120,6 +122,11 @@ bool MapKeeper::TryNow(WaitingMatch* entry) {
     list_.Accept(AcceptedBy::kEvidence, &edit);
     return true;
   }
+  if (running_.count(list_.PlaceOf(query->id()).map) != 0 &&
+      list_.AreInOneMap(query->id(), other.id())) {
+    entry->reason = "its map is being adjusted";  // then it may fit
+    return false;
+  }
   const bool scale_may_come = MayGetScale(*query) || MayGetScale(other);
   if (entry->needs_scale && scale_may_come) return false;
   OverlapTrial trial = TryOverlap(other, *query, match.query, of_other, options_, *store_);
@@ -143,7 +150,7 @@ void MapKeeper::Judge(const PlaceMatch& match, OverlapTrial trial) {
   MergeEdit& edit = list_.Keep(match, std::move(trial));
   MergeReport& report = edit.report;
   if (report.verdict == MergeVerdict::kRefused) return;
-  if (list_.InOneMap(report)) {
+  if (list_.AreInOneMap(report.other_session, report.query_session)) {
     // What the map says already needs no more proof; what contradicts it needs all.
     report.kind = MergeKind::kLoop;
     const LoopStatement loop = MeasureLoop(report, list_, sessions_);
@@ -169,7 +176,7 @@ void MapKeeper::Judge(const PlaceMatch& match, OverlapTrial trial) {
 void MapKeeper::Accept(AcceptedBy by, MergeEdit* edit) {
   MergeReport& report = edit->report;
   list_.Accept(by, edit);
-  if (list_.InOneMap(report)) {
+  if (list_.AreInOneMap(report.other_session, report.query_session)) {
     report.kind = MergeKind::kLoop;
     return CloseLoop(edit);
   }
@@ -181,10 +188,12 @@ void MapKeeper::Accept(AcceptedBy by, MergeEdit* edit) {
     report.warning = "the odometry of the two sessions disagrees about the scale by " +
                      std::to_string(disagreement) + " sigmas";
   }
+  running_.erase(list_.PlaceOf(report.other_session).map);
+  running_.erase(list_.PlaceOf(report.query_session).map);
   list_.Place();
   const MapId map = list_.PlaceOf(report.query_session).map;
   list_.RaiseRevision(map);
-  Adjust(map, false, &report);
+  StartAdjusting(map, *edit);
 }
 
 // What the sessions of both maps are before they become one.
@@ -202,35 +211,67 @@ void MapKeeper::CloseLoop(MergeEdit* edit) {
   const MapId map = list_.PlaceOf(report.query_session).map;
   const std::vector<PlacedSession> placed = list_.SessionsOf(map, &sessions_);
   const LinkStatistics before = MeasureLinks(placed, edit->links);
-  report.error_before_px = report.error_after_px = before.median_error_px;
+  report.error_before_px = before.median_error_px;
   if (before.median_error_px <= options_.merge.max_gap_px) return;
   if (options_.merge.use_pose_graph) SpreadGap(placed, report, list_.LinksOf(map, edit));
-  Adjust(map, false, &report);
-  report.error_before_px = before.median_error_px;
+  StartAdjusting(map, *edit);
 }
 
-void MapKeeper::Adjust(MapId map, bool is_final, MergeReport* report) {
+// What runs on the map is thrown away: it knows nothing of this edit.
+void MapKeeper::StartAdjusting(MapId map, const MergeEdit& edit) {
+  running_.erase(map);
+  const std::vector<FeatureLink> links = list_.LinksOf(map);
+  if (links.empty()) return;
+  running_.emplace(map, Running{MapAdjustment(list_.SessionsOf(map, &sessions_), links, options_,
+                                              executor_, timing_),
+                                edit.report.id});
+}
+
+void MapKeeper::CountKeyframe() {
+  for (auto& [map, running] : running_) running.adjustment.CountKeyframe();
+  ApplyDueResults();
+}
+
+void MapKeeper::ApplyDueResults() {
+  std::vector<MapId> due;
+  for (const auto& [map, running] : running_) {
+    if (running.adjustment.IsDue()) due.push_back(map);
+  }
+  for (const MapId map : due) ApplyAdjustment(map);
+}
+
+void MapKeeper::ApplyAdjustment(MapId map) {
+  Running running = std::move(running_.extract(map).mapped());
+  std::vector<FeatureLink> links = list_.LinksOf(map);
+  const MapAdjustmentReport report = running.adjustment.Apply(options_, &links, times_);
+  list_.edits()[running.edit - 1].report.error_after_px = report.after.median_error_px;
+  TakeOver(map, report, links);
+}
+
+void MapKeeper::TakeOver(MapId map, MapAdjustmentReport report,
+                         const std::vector<FeatureLink>& links) {
+  list_.KeepLinks(map, links);
+  if (!report.usable) return;
+  shared_[map] = std::make_shared<const SharedLandmarks>(std::move(report.shared));
+}
+
+void MapKeeper::AdjustMapOf(MapId map) {
+  running_.erase(map);
   std::vector<FeatureLink> links = list_.LinksOf(map);
   if (links.empty()) return;
-  const std::vector<PlacedSession> placed = list_.SessionsOf(map, &sessions_);
-  MapAdjustmentReport adjusted = AdjustMap(placed, options_, is_final, &links);
-  report->error_before_px = adjusted.before.median_error_px;
-  report->error_after_px = adjusted.after.median_error_px;
-  list_.KeepLinks(map, links);
-  if (adjusted.usable) {
-    shared_[map] = std::make_shared<const SharedLandmarks>(std::move(adjusted.shared));
-  }
+  TakeOver(map, AdjustMapFinally(list_.SessionsOf(map, &sessions_), options_, &links), links);
 }
 
-void MapKeeper::AdjustFinally() {
+void MapKeeper::AdjustFinally(SessionId of) { AdjustMapOf(list_.PlaceOf(of).map); }
+
+void MapKeeper::AdjustAllFinally() {
   std::set<MapId> maps;
   for (const auto& [id, session] : sessions_.all()) maps.insert(list_.PlaceOf(id).map);
-  MergeReport unused;
-  for (const MapId map : maps) Adjust(map, true, &unused);
+  for (const MapId map : maps) AdjustMapOf(map);
 }
 
 MergeReport MapKeeper::Merge(SessionId a, SessionId b, bool force) {
-  if (list_.PlaceOf(a).map == list_.PlaceOf(b).map) {
+  if (list_.AreInOneMap(a, b)) {
     return RefusedReport(a, b, "they are in one map already");
   }
   MergeEdit* best = nullptr;
@@ -248,7 +289,7 @@ MergeReport MapKeeper::Merge(SessionId a, SessionId b, bool force) {
 }
 
 MergeReport MapKeeper::MergeAt(SessionId a, SessionId b, const Sim3& b_from_a) {
-  if (list_.PlaceOf(a).map == list_.PlaceOf(b).map) {
+  if (list_.AreInOneMap(a, b)) {
     return RefusedReport(a, b, "they are in one map already");
   }
   MergeEdit edit;
@@ -277,6 +318,7 @@ std::vector<MergeReport> MapKeeper::Unmerge(SessionId id) {
     edit->marks.clear();
   }
   for (const auto& [session, mark] : plan.marks) {
+    running_.erase(list_.PlaceOf(session).map);
     list_.RaiseRevision(list_.PlaceOf(session).map);
     RestoreSession(mark, options_, sessions_.Lend(session));
   }

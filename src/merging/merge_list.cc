@@ -54,8 +54,8 @@ MapPlace MergeList::PlaceOf(SessionId id) const {
   return place;
 }
 
-bool MergeList::InOneMap(const MergeReport& report) const {
-  return PlaceOf(report.other_session).map == PlaceOf(report.query_session).map;
+bool MergeList::AreInOneMap(SessionId a, SessionId b) const {
+  return PlaceOf(a).map == PlaceOf(b).map;
 }
 
 std::vector<SessionId> MergeList::MembersOf(MapId map, const SessionTable& sessions) const {

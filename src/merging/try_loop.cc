@@ -48,7 +48,7 @@ std::optional<OverlapTrial> TryLoop(const PlacedSession& a, const PlacedSession&
   report.num_inliers = statistics.num_links;
   report.num_links = static_cast<uint32_t>(trial.links.size());
   report.query_from_other = Inverse(b.map_from_session) * a.map_from_session;
-  report.error_before_px = report.error_after_px = statistics.median_error_px;
+  report.error_before_px = statistics.median_error_px;
   return trial;
 }
 

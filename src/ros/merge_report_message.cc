@@ -1,5 +1,7 @@
 #include "rovio_sfm/ros/merge_report_message.h"
 
+#include <cmath>
+
 #include "rovio_sfm/ros/conversions.h"
 
 namespace rovio_sfm {
@@ -28,7 +30,7 @@ MergeReportMsg ToMessage(const MergeReport& report) {
   message.num_found = report.num_found;
   message.num_links = report.num_links;
   message.error_before_px = report.error_before_px;
-  message.error_after_px = report.error_after_px;
+  message.error_after_px = report.error_after_px.value_or(std::nan(""));
   return message;
 }
 

@@ -30,7 +30,8 @@ Json ReportJson(const MergeReport& report) {
           {"found_landmarks", report.num_found},
           {"links", report.num_links},
           {"error_before_px", report.error_before_px},
-          {"error_after_px", report.error_after_px}};
+          {"error_after_px",
+           report.error_after_px ? nlohmann::ordered_json(*report.error_after_px) : nullptr}};
 }
 
 }  // namespace

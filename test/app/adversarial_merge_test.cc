@@ -49,7 +49,8 @@ struct Merging {
 
   std::vector<Explored> explored;
   MemoryFrameStore store;
-  MapKeeper keeper{MapOptions(), &store};
+  Executor executor{0};
+  MapKeeper keeper{MapOptions(), &store, &executor, ResultTiming::kFixed};
 };
 
 // The thing of so many looks, somewhere; the first look tells things apart.

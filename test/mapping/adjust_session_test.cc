@@ -89,7 +89,7 @@ std::string AdjustGlobally(int num_threads) {
   Session session = MappedDrive(MakeDrive(0.5));
   Disturb(0.001, 0.005, &session);
   Executor executor(num_threads);
-  GlobalAdjustment global({}, &executor);
+  GlobalAdjustment global({}, &executor, ResultTiming::kFixed);
   global.MaybeStart(session);
   EXPECT_FALSE(global.Advance(&session));
   EXPECT_TRUE(global.Advance(&session));
@@ -121,7 +121,7 @@ Session AdjustedWithSigma(double pixel_sigma_px) {
     session.AddLandmark(id, drive.world.points[id - 1], {}, track.members);
   }
   Executor executor(0);
-  GlobalAdjustment global(options, &executor);
+  GlobalAdjustment global(options, &executor, ResultTiming::kFixed);
   global.MaybeStart(session);
   global.Advance(&session);
   EXPECT_TRUE(global.Advance(&session));
@@ -139,7 +139,7 @@ TEST(GlobalAdjustment, MeasuresItsLossInPixels) {
 TEST(GlobalAdjustment, WaitsForGrowth) {
   const SyntheticDrive drive = MakeDrive();
   Executor executor(0);
-  GlobalAdjustment global({}, &executor);
+  GlobalAdjustment global({}, &executor, ResultTiming::kFixed);
   Session small = MappedDrive(drive, 5);
   global.MaybeStart(small);
   for (int i = 0; i < 5; ++i) EXPECT_FALSE(global.Advance(&small));
@@ -158,7 +158,7 @@ TEST(GlobalAdjustment, WaitsForGrowth) {
 TEST(GlobalAdjustment, ForgetsWhatIsAbandoned) {
   Session session = MappedDrive(MakeDrive());
   Executor executor(1);
-  GlobalAdjustment global({}, &executor);
+  GlobalAdjustment global({}, &executor, ResultTiming::kFixed);
   global.MaybeStart(session);
   global.Abandon();
   global.Abandon();

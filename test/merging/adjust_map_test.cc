@@ -36,10 +36,16 @@ struct MergedPair {
   std::vector<FeatureLink> links;
 };
 
+MapAdjustmentReport AdjustBeside(MergedPair* pair) {
+  Executor executor{0};
+  MapAdjustment adjustment(pair->placed, pair->links, {}, &executor, ResultTiming::kFixed);
+  return adjustment.Apply({}, &pair->links);
+}
+
 TEST(AdjustMap, LeavesAPerfectMapAsItIs) {
   MergedPair pair;
   const size_t num_links = pair.links.size();
-  const MapAdjustmentReport report = AdjustMap(pair.placed, {}, true, &pair.links);
+  const MapAdjustmentReport report = AdjustMapFinally(pair.placed, {}, &pair.links);
   EXPECT_TRUE(report.usable);
   EXPECT_LT(report.after.median_error_px, 1e-6);
   EXPECT_EQ(pair.links.size(), num_links);
@@ -55,7 +61,7 @@ TEST(AdjustMap, PullsAMisplacedSessionIntoItsPlace) {
            {0.01, 0.0, 0.01}} *
       pair.placed[1].map_from_session;
   ASSERT_GT(pair.ErrorOfB(), 0.01);
-  const MapAdjustmentReport report = AdjustMap(pair.placed, {}, true, &pair.links);
+  const MapAdjustmentReport report = AdjustMapFinally(pair.placed, {}, &pair.links);
   EXPECT_TRUE(report.usable);
   EXPECT_GT(report.before.median_error_px, 1.0);
   EXPECT_LT(report.after.median_error_px, 0.01);
@@ -64,7 +70,7 @@ TEST(AdjustMap, PullsAMisplacedSessionIntoItsPlace) {
 
 TEST(AdjustMap, KeepsTheErrorBoundedWithNoise) {
   MergedPair pair(0.7);
-  AdjustMap(pair.placed, {}, true, &pair.links);
+  AdjustMapFinally(pair.placed, {}, &pair.links);
   EXPECT_LT(pair.ErrorOfB(), 0.03);
 }
 
@@ -81,7 +87,7 @@ TEST(AdjustMap, DropsLinksThatDoNotFit) {
   }
   pair.links.insert(std::upper_bound(pair.links.begin(), pair.links.end(), wrong), wrong);
   const size_t before = pair.links.size();
-  const MapAdjustmentReport report = AdjustMap(pair.placed, {}, false, &pair.links);
+  const MapAdjustmentReport report = AdjustBeside(&pair);
   EXPECT_EQ(report.num_dropped_links, 1u);
   EXPECT_EQ(pair.links.size(), before - 1);
   EXPECT_LT(pair.ErrorOfB(), 1e-4);
@@ -90,9 +96,27 @@ TEST(AdjustMap, DropsLinksThatDoNotFit) {
 TEST(AdjustMap, DoesNothingToFramesThatAreGone) {
   MergedPair pair;
   pair.b.RemoveKeyframe(8);
-  const MapAdjustmentReport report = AdjustMap(pair.placed, {}, false, &pair.links);
+  const MapAdjustmentReport report = AdjustBeside(&pair);
   EXPECT_TRUE(report.usable);
   EXPECT_LT(pair.ErrorOfB(), 1e-5);
+}
+
+// A frame that came while the map was solved rides with the frame before it.
+TEST(MapAdjustment, MovesWhatWasBornSinceWithItsReference) {
+  MergedPair pair;
+  const Keyframe newest = pair.b.keyframe(15);
+  pair.b.RemoveKeyframe(15);
+  const Sim3 aside{1.0, Eigen::Quaterniond::Identity(), {0.05, 0.0, 0.0}};
+  pair.placed[1].map_from_session = aside * pair.placed[1].map_from_session;
+  Executor executor{0};
+  MapAdjustment adjustment(pair.placed, pair.links, {}, &executor, ResultTiming::kFixed);
+  pair.b.AddKeyframe(15, newest);
+  const Rigid3 step = newest.cam_from_session * Inverse(pair.b.keyframe(14).cam_from_session);
+  ASSERT_TRUE(adjustment.Apply({}, &pair.links).usable);
+  const Rigid3 moved =
+      pair.b.keyframe(15).cam_from_session * Inverse(pair.b.keyframe(14).cam_from_session);
+  EXPECT_LT(PoseDistance(moved, step), 1e-9);
+  EXPECT_GT(PoseDistance(pair.b.keyframe(15).cam_from_session, newest.cam_from_session), 1e-3);
 }
 
 }  // namespace

@@ -2,37 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "merging/two_drives.h"
+#include "merging/keeper_fixture.h"
 
 namespace rovio_sfm {
 namespace {
-
-// Two perfectly mapped sessions in two gauges, ready to be merged.
-struct Sessions {
-  explicit Sessions(const TwoDrives& drives = MakeTwoDrives(), const MapOptions& options = {})
-      : two(drives),
-        store(StoreOf(two)),
-        keeper(options, &store),
-        a(keeper.LendSessions()->Adopt(MappedSession(two, false, {}))),
-        b(keeper.LendSessions()->Adopt(MappedSession(two, true, OtherGauge()))) {
-    a.set_state(SessionState::kMapping);
-    b.set_state(SessionState::kMapping);
-  }
-
-  bool InOneMap() const { return keeper.PlaceOf(a.id()).map == keeper.PlaceOf(b.id()).map; }
-  std::string Bytes() const { return BytesOf(a) + BytesOf(b); }
-
-  TwoDrives two;
-  MemoryFrameStore store;
-  MapKeeper keeper;
-  Session &a, &b;
-};
-
-MapOptions WithMerge(const MergeOptions& merge) {
-  MapOptions options;
-  options.merge = merge;
-  return options;
-}
 
 TEST(MapKeeper, MergesTwoSessionsFromOneOverlap) {
   Sessions sessions;
@@ -217,137 +190,45 @@ TEST(MapKeeper, SaysWhyARequestCannotBeMet) {
   EXPECT_TRUE(sessions.keeper.Unmerge(sessions.a.id()).empty());
 }
 
-TEST(MapKeeper, UndoesAForcedMergeToTheByte) {
-  Sessions sessions;
-  const std::string before = sessions.Bytes();
-  sessions.keeper.MergeAt(sessions.a.id(), sessions.b.id(), {});
-  EXPECT_TRUE(sessions.InOneMap());
-  EXPECT_EQ(sessions.keeper.Unmerge(sessions.b.id()).size(), 1u);
-  EXPECT_FALSE(sessions.InOneMap());
-  EXPECT_EQ(sessions.Bytes(), before);
-  sessions.keeper.Add(TrueOverlap(sessions.two, 8, 8));
-  EXPECT_FALSE(sessions.InOneMap()) << "a place match joined what a request had separated";
-}
-
-TEST(MapKeeper, UndoesAnAdjustedMergeToTheByte) {
-  Sessions sessions(MakeTwoDrives(TwoDrivesOptions(0.7)));
-  const std::string before = sessions.Bytes();
-  sessions.keeper.Add(TrueOverlap(sessions.two, 8, 8));
-  ASSERT_TRUE(sessions.InOneMap());
-  EXPECT_NE(sessions.Bytes(), before);
-  sessions.keeper.Unmerge(sessions.b.id());
-  EXPECT_EQ(sessions.Bytes(), before);
-}
-
 TEST(MapKeeper, GivesTheSameBytesTwice) {
   std::string bytes[2];
   for (std::string& run : bytes) {
     Sessions sessions(MakeTwoDrives(TwoDrivesOptions(0.7)));
     sessions.keeper.Add(TrueOverlap(sessions.two, 8, 8));
     sessions.keeper.Add(TrueOverlap(sessions.two, 3, 3));
-    sessions.keeper.AdjustFinally();
+    sessions.keeper.AdjustAllFinally();
     run = sessions.Bytes();
   }
   EXPECT_EQ(bytes[0], bytes[1]);
 }
 
-// The two sessions, and a third that saw what the first saw, as a robot of its own.
-struct ThreeSessions : Sessions {
-  explicit ThreeSessions(const MapOptions& options = {})
-      : Sessions(MakeTwoDrives(), options), c(AdoptThird()) {
-    c.set_state(SessionState::kMapping);
-  }
-
-  Session& AdoptThird() {
-    TwoDrives third = two;
-    for (FrameEvent& event : third.a) {
-      event.id.drive.robot = "third";
-      store.Put(event.id, event.features);
-    }
-    Session session({3}, third.a[0].id.drive, two.world.camera);
-    for (const auto& [index, frame] : a.keyframes()) session.AddKeyframe(index, frame);
-    for (const auto& [id, landmark] : a.landmarks()) {
-      session.AddLandmark(id, landmark.position, landmark.color, landmark.observations);
-    }
-    return keeper.LendSessions()->Adopt(std::move(session));
-  }
-
-  // Frame 8 of the third session shows what frame 8 of the second does.
-  PlaceMatch OverlapOfThirdAndSecond() const {
-    PlaceMatch match = TrueOverlap(two, 8, 8);
-    std::swap(match.query, match.pairs[0].other);
-    match.query.drive.robot = "third";
-    for (FeatureMatch& inlier : match.pairs[0].inliers) std::swap(inlier.a, inlier.b);
-    return match;
-  }
-
-  bool AreInOneMap(const Session& x, const Session& y) const {
-    return keeper.PlaceOf(x.id()).map == keeper.PlaceOf(y.id()).map;
-  }
-
-  Session& c;
-};
-
-TEST(MapKeeper, UndoingKeepsAMergeOfOthersThatARequestMade) {
-  MapOptions options;
-  options.merge.automatic = false;
-  ThreeSessions three(options);
-  three.keeper.Add(TrueOverlap(three.two, 8, 8));
-  three.keeper.Add(three.OverlapOfThirdAndSecond());
-  ASSERT_EQ(three.keeper.Merge({1}, {2}, false).verdict, MergeVerdict::kAccepted);
-  ASSERT_EQ(three.keeper.Merge({2}, {3}, false).verdict, MergeVerdict::kAccepted);
-  ASSERT_EQ(three.keeper.Unmerge({1}).size(), 1u);
-  EXPECT_FALSE(three.AreInOneMap(three.a, three.b));
-  EXPECT_TRUE(three.AreInOneMap(three.b, three.c));
-  EXPECT_EQ(three.keeper.Reports().back().reason, "accepted by request");
-}
-
-TEST(MapKeeper, UndoingKeepsAMergeOfOthersThatEvidenceMade) {
+// The result of an adjustment that a merge overtook is thrown away, and the new map's comes.
+TEST(MapKeeper, AMergeOvertakesTheAdjustmentThatRuns) {
   ThreeSessions three;
   three.keeper.Add(TrueOverlap(three.two, 8, 8));
   three.keeper.Add(three.OverlapOfThirdAndSecond());
-  ASSERT_TRUE(three.AreInOneMap(three.a, three.c));
-  ASSERT_EQ(three.keeper.Unmerge({1}).size(), 1u);
-  EXPECT_FALSE(three.AreInOneMap(three.a, three.b));
-  EXPECT_TRUE(three.AreInOneMap(three.b, three.c));
-  const MapPlace place = three.keeper.PlaceOf(three.c.id());
-  EXPECT_EQ(place.map.value, 2u);
-  EXPECT_NEAR(place.map_from_session.scale, OtherGauge().scale, 1e-6);
+  for (int i = 0; i < ResultDelay(48); ++i) three.keeper.CountKeyframe();
+  const std::vector<MergeReport> reports = three.keeper.Reports();
+  EXPECT_FALSE(reports[0].error_after_px);
+  EXPECT_TRUE(reports[1].error_after_px);
 }
 
-TEST(MapKeeper, UndoingKeepsAMergeOfOthersThatAHandMade) {
-  ThreeSessions three;
-  three.keeper.Add(TrueOverlap(three.two, 8, 8));
-  three.keeper.MergeAt({2}, {3}, Inverse(OtherGauge()));
-  ASSERT_EQ(three.keeper.Unmerge({1}).size(), 1u);
-  EXPECT_TRUE(three.AreInOneMap(three.b, three.c));
-  EXPECT_EQ(three.keeper.PlaceOf({3}).map_from_session.scale, OtherGauge().scale);
-}
-
-// Whatever the merge that stayed apart from the undone one made, it is not touched.
-TEST(MapKeeper, UndoingOneSessionOfThreeGivesTheOthersTheirBytes) {
-  ThreeSessions three;
-  three.keeper.Add(three.OverlapOfThirdAndSecond());
-  const std::string before = BytesOf(three.b) + BytesOf(three.c);
-  three.keeper.Add(TrueOverlap(three.two, 8, 8));
-  ASSERT_TRUE(three.AreInOneMap(three.a, three.c));
-  three.keeper.Unmerge({1});
-  EXPECT_EQ(BytesOf(three.b) + BytesOf(three.c), before);
-  EXPECT_TRUE(three.AreInOneMap(three.b, three.c));
-}
-
-// What was separated by request is not joined by way of a third session either.
-TEST(MapKeeper, NoPlaceMatchBringsASessionBackToTheOthersOfItsMap) {
-  ThreeSessions three;
-  three.keeper.Add(TrueOverlap(three.two, 8, 8));
-  three.keeper.Add(three.OverlapOfThirdAndSecond());
-  three.keeper.Unmerge({2});
-  PlaceMatch later = three.OverlapOfThirdAndSecond();
-  later.query.index = 9;
-  three.keeper.Add(later);
-  three.keeper.Add(TrueOverlap(three.two, 7, 7));
-  EXPECT_FALSE(three.AreInOneMap(three.a, three.b));
-  EXPECT_FALSE(three.AreInOneMap(three.b, three.c));
+// What would have to be judged in full while the map is adjusted may fit it afterwards.
+TEST(MapKeeper, AnOverlapThatGapesWaitsForTheAdjustmentOfItsMap) {
+  Sessions sessions(MakeTwoDrives(TwoDrivesOptions(0.7)));
+  sessions.keeper.Add(TrueOverlap(sessions.two, 8, 8));
+  ASSERT_TRUE(sessions.InOneMap());
+  const auto poses = sessions.b.keyframes();
+  for (const auto& [index, frame] : poses) {  // as a long way from the first overlap may have it
+    if (index < 4)
+      sessions.b.SetPose(
+          index, frame.cam_from_session * Rigid3{Eigen::Quaterniond::Identity(), {0.2, 0.0, 0.0}});
+  }
+  sessions.keeper.Add(TrueOverlap(sessions.two, 2, 2));
+  EXPECT_EQ(sessions.keeper.num_waiting(), 1u);
+  sessions.PassKeyframes();
+  sessions.keeper.Advance();
+  EXPECT_EQ(sessions.keeper.num_waiting(), 0u);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "rovio_sfm/mapping/drive_mapper.h"
@@ -23,7 +24,7 @@ class Mapper {
   // The store, the times (may be null) and the executor of global adjustments must outlive the
   // mapper. Options must be valid.
   Mapper(const MapOptions& options, FrameStore* store, Executor* executor,
-         StageTimes* times = nullptr);
+         StageTimes* times = nullptr, ResultTiming timing = ResultTiming::kFixed);
 
   // Takes the next event of its drive. An event that does not fit (index not increasing, camera of
   // the drive changed) is refused, with the reason; the maps stay as they were.
@@ -36,6 +37,8 @@ class Mapper {
   // matches of its frames say, forward from there, then in reverse; where no match carries, from
   // its own best pair. The drive is finished then.
   void AddSeeded(const std::vector<FrameEvent>& events, const std::vector<PlaceMatch>& matches);
+  // Live: applies the adjustments that are ready, without waiting for the next frame.
+  void ApplyDueResults() { keeper_.ApplyDueResults(); }
   // By request; see MapKeeper. The report says what was done, or why not.
   MergeReport Merge(SessionId a, SessionId b, bool force);
   MergeReport MergeAt(SessionId a, SessionId b, const Sim3& b_from_a);
@@ -58,7 +61,7 @@ class Mapper {
 
  private:
   void TrySeed(const DriveId& drive);
-  void AdjustMaps();
+  void AdjustMaps(std::optional<SessionId> of);
 
   MapOptions options_;
   MapKeeper keeper_;

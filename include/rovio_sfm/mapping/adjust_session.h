@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <future>
-#include <optional>
+#include <memory>
 
+#include "rovio_sfm/mapping/delayed_result.h"
 #include "rovio_sfm/mapping/mapper_options.h"
 #include "rovio_sfm/scene/session.h"
 #include "rovio_sfm/sfm/prune_landmarks.h"
@@ -20,30 +20,29 @@ PruneReport AdjustLocally(uint32_t frame, const MapperOptions& options, Session*
 // last pass minimises the squared error of what is left.
 PruneReport AdjustFinally(const MapperOptions& options, Session* session);
 
-// Adjusts all frames and landmarks beside the main flow, on a copy: started after one keyframe,
-// brought back a fixed number of keyframes later, whatever the threads do meanwhile.
+// Adjusts all frames and landmarks beside the main flow, on a copy, and brings the result back.
 class GlobalAdjustment {
  public:
   // The executor must outlive this.
-  GlobalAdjustment(const MapperOptions& options, Executor* executor);
+  GlobalAdjustment(const MapperOptions& options, Executor* executor, ResultTiming timing);
 
   // Starts one if none is running and the session grew enough since the last.
   void MaybeStart(const Session& session);
   // Counts a keyframe; applies the result when it is due. True if something was applied.
-  bool Advance(Session* session);
-  // Waits for a running one and forgets it: of a session that ended.
-  void Abandon();
+  bool Advance(Session* session, StageTimes* times = nullptr);
+  // Throws away what runs, and begins it again: the session was changed from outside.
+  void Restart(const Session& session);
+  // Throws away what runs: the session ended.
+  void Abandon() { running_.reset(); }
 
  private:
-  struct Running {
-    std::future<SessionBundle> result;
-    int num_keyframes_since = 0;
-  };
+  void Start(const Session& session);
 
   AdjustOptions options_;
   double loss_sigmas_;
   Executor* executor_;
-  std::optional<Running> running_;
+  ResultTiming timing_;
+  std::unique_ptr<DelayedResult<SessionBundle>> running_;  // null: none
   size_t num_frames_at_last_ = 0;
   size_t num_landmarks_at_last_ = 0;
 };

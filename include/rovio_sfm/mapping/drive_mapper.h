@@ -28,7 +28,8 @@ struct MapperContext {
   FrameStore* store = nullptr;
   SessionTable* sessions = nullptr;  // lent by their keeper, for the steps that are run
   Executor* executor = nullptr;      // of the global adjustment
-  StageTimes* times = nullptr;       // may be null
+  ResultTiming timing = ResultTiming::kFixed;
+  StageTimes* times = nullptr;                      // may be null
   std::function<void(Session*)> on_session_closed;  // once it is adjusted finally
 };
 

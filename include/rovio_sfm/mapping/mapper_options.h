@@ -38,8 +38,7 @@ struct AdjustOptions {
   int running_max_iterations = 10;
   int final_max_iterations = 50;  // of those at the end of a session or a run, 1 to 1000
   double global_growth =
-      0.1;               // a global one when frames or landmarks grew by this share, 0.01 to 10
-  int global_delay = 2;  // keyframes after which its result is applied, 1 to 100
+      0.1;  // a global one when frames or landmarks grew by this share, 0.01 to 10
   int max_global_frames = 500;  // larger maps are adjusted by windows of so many, 10 to 100000
   double loss_px = 1.0;         // scale of the robust loss, 0.1 to 20
   bool IsValid(std::string* error) const;

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "rovio_sfm/mapping/delayed_result.h"
 #include "rovio_sfm/mapping/mapper_options.h"
 #include "rovio_sfm/merging/map_bundle.h"
 #include "rovio_sfm/scene/feature_link.h"
+#include "rovio_sfm/util/executor.h"
 
 namespace rovio_sfm {
 
@@ -26,11 +29,30 @@ struct MapAdjustmentReport {
 };
 
 // Adjusts all frames and landmarks of all sessions of a map as one problem (§4.3.3), prunes
-// observations as the final adjustment of a session does, and drops links that do not fit. The
-// first session holds the gauge. is_final: rounds until little changes, the last one without the
-// robust loss.
-MapAdjustmentReport AdjustMap(const std::vector<PlacedSession>& sessions,
-                              const MapperOptions& options, bool is_final,
-                              std::vector<FeatureLink>* links);
+// observations as the final adjustment of a session does, and drops links that do not fit: rounds
+// until little changes, the last one without the robust loss. The first session holds the gauge.
+MapAdjustmentReport AdjustMapFinally(const std::vector<PlacedSession>& sessions,
+                                     const MapperOptions& options, std::vector<FeatureLink>* links);
+
+// One round of the same beside the flow: a copy is solved in the executor. Frames and landmarks
+// born since move with the correction of their reference frame.
+class MapAdjustment {
+ public:
+  // Starts it. The executor must outlive the solving; the sessions must outlive this.
+  MapAdjustment(const std::vector<PlacedSession>& sessions, const std::vector<FeatureLink>& links,
+                const MapperOptions& options, Executor* executor, ResultTiming timing);
+
+  void CountKeyframe() { result_.CountKeyframe(); }
+  bool IsDue() const { return result_.IsDue(); }
+  // Writes the result into the sessions, waiting for it where it is not there. links: those of the
+  // map as they are by now.
+  MapAdjustmentReport Apply(const MapperOptions& options, std::vector<FeatureLink>* links,
+                            StageTimes* times = nullptr);
+
+ private:
+  std::vector<PlacedSession> sessions_;
+  LinkStatistics before_;
+  DelayedResult<std::unique_ptr<MapBundle>> result_;  // null: not usable
+};
 
 }  // namespace rovio_sfm

@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
+#include "rovio_sfm/merging/adjust_map.h"
 #include "rovio_sfm/merging/map_options.h"
 #include "rovio_sfm/merging/merge_list.h"
 #include "rovio_sfm/merging/try_overlap.h"
@@ -20,8 +22,10 @@ namespace rovio_sfm {
 // in any order. Thread-compatible.
 class MapKeeper {
  public:
-  // Options must be valid; the store must outlive this.
-  MapKeeper(const MapOptions& options, const FrameStore* store);
+  // Options must be valid; store, executor (of the maps' adjustments) and times (may be null) must
+  // outlive this.
+  MapKeeper(const MapOptions& options, const FrameStore* store, Executor* executor,
+            ResultTiming timing, StageTimes* times = nullptr);
 
   const SessionTable& sessions() const { return sessions_; }
   // To the mappers of drives, each for the step that is run: a drive opens and changes its own
@@ -45,8 +49,12 @@ class MapKeeper {
   // what was undone; empty: it was alone.
   std::vector<MergeReport> Unmerge(SessionId id);
 
-  // The final adjustment of every map that links join.
-  void AdjustFinally();
+  // Counts a keyframe, and applies the results of adjustments that are due.
+  void CountKeyframe();
+  void ApplyDueResults();
+  // The final adjustment of the map of a session, if links join it; of all maps. Waits for it.
+  void AdjustFinally(SessionId of);
+  void AdjustAllFinally();
   // No more frames come: what waits gives up, with the reason.
   void GiveUpWaiting();
 
@@ -71,18 +79,30 @@ class MapKeeper {
   void Accept(AcceptedBy by, MergeEdit* edit);
   void MarkSessions(MergeEdit* edit);
   void CloseLoop(MergeEdit* edit);
-  void Adjust(MapId map, bool is_final, MergeReport* report);
+  void StartAdjusting(MapId map, const MergeEdit& edit);
+  void ApplyAdjustment(MapId map);
+  void TakeOver(MapId map, MapAdjustmentReport report, const std::vector<FeatureLink>& links);
+  void AdjustMapOf(MapId map);
   void KeepWaitedInVain(const WaitingMatch& waiting);
 
   void Repeat(MergeEdit* edit);
 
+  struct Running {
+    MapAdjustment adjustment;
+    uint32_t edit = 0;  // whose report hears of it
+  };
+
   MapOptions options_;
   const FrameStore* store_;
+  Executor* executor_;
+  ResultTiming timing_;
+  StageTimes* times_;
   SessionTable sessions_;
   WaitingMatches waiting_;
   uint64_t num_repeated_ = 0;
   MergeList list_;
   std::map<MapId, std::shared_ptr<const SharedLandmarks>> shared_;
+  std::map<MapId, Running> running_;  // one a map
 };
 
 }  // namespace rovio_sfm

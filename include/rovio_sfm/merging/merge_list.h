@@ -37,7 +37,7 @@ class MergeList {
   // Places every session anew by the accepted merges.
   void Place();
   MapPlace PlaceOf(SessionId id) const;
-  bool InOneMap(const MergeReport& report) const;
+  bool AreInOneMap(SessionId a, SessionId b) const;
   // Of a map whose gauge, or what is in it, was changed.
   void RaiseRevision(MapId map) { ++revisions_[map]; }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "rovio_sfm/geometry/sim3.h"
@@ -44,7 +45,9 @@ struct MergeReport {
   uint32_t num_expected = 0;  // landmarks of the other session that should be visible in the query
   uint32_t num_found = 0;     // of them found
   uint32_t num_links = 0;     // features joined, after the guided search
-  double error_before_px = 0.0, error_after_px = 0.0;  // median of landmarks seen across
+  // Median error of landmarks seen across: before the adjustment, and once its result was applied.
+  double error_before_px = 0.0;
+  std::optional<double> error_after_px;
 };
 
 }  // namespace rovio_sfm

@@ -1,0 +1,79 @@
+// What each picture of a folder costs as a drive grows, in CPU seconds of the whole process on one
+// thread: picture_cost DIR [NUM_PICTURES]. Prints the median of every hundred pictures, by stage
+// too (adjustments of whole maps run in their picture here). Not a test.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <map>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/app/offline_mapper.h"
+#include "rovio_sfm/app/place_model_option.h"
+#include "rovio_sfm/io/dataset_folder.h"
+#include "rovio_sfm/io/text_file.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr size_t kWindow = 100;  // pictures
+
+int64_t CpuNs() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1000000000LL * now.tv_sec + now.tv_nsec;
+}
+
+double Median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+void Measure(const std::string& folder, size_t num_pictures) {
+  cv::setNumThreads(1);
+  const DatasetFolder dataset = ReadDatasetFolder(folder);
+  OfflineMapperOptions options;
+  options.num_threads = 1;
+  StageTimes times(CpuNs);
+  OfflineMapper mapper(options, ReadPlaceModel(""), &times);
+  mapper.StartDrive("folder_0");
+  std::vector<double> costs_ms;
+  std::map<std::string, std::vector<double>> stages_ms;
+  auto before = times.totals();
+  for (size_t i = 0; i < std::min(num_pictures, dataset.images.size()); ++i) {
+    ImageEvent event;
+    event.stamp_ns = dataset.images[i].stamp_ns;
+    event.name = dataset.images[i].name;
+    event.encoded =
+        std::make_shared<const std::vector<uint8_t>>(ReadBytes(dataset.images[i].path, 64u << 20));
+    event.camera = dataset.camera;
+    const int64_t start_ns = CpuNs();
+    mapper.Add(std::move(event));
+    costs_ms.push_back(1e-6 * static_cast<double>(CpuNs() - start_ns));
+    for (const auto& [stage, total] : times.totals()) {
+      stages_ms[stage].resize(i, 0.0);
+      stages_ms[stage].push_back(1e-6 *
+                                 static_cast<double>(total.total_ns - before[stage].total_ns));
+    }
+    before = times.totals();
+    if ((i + 1) % kWindow != 0) continue;
+    std::printf("pictures %zu to %zu: median %.0f ms;", i + 2 - kWindow, i + 1,
+                Median({costs_ms.end() - kWindow, costs_ms.end()}));
+    for (const auto& [stage, costs] : stages_ms) {
+      std::printf(" %s %.0f", stage.c_str(), Median({costs.end() - kWindow, costs.end()}));
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+}  // namespace rovio_sfm
+
+int main(int argc, char** argv) {
+  if (argc < 2) return 2;
+  rovio_sfm::Measure(argv[1], argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 100000);
+  return 0;
+}
