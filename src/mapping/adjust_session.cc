@@ -107,12 +107,12 @@ void GlobalAdjustment::MaybeStart(const Session& session) {
   num_frames_at_last_ = num_frames;
   num_landmarks_at_last_ = num_landmarks;
   const BundleOptions bundle_options{options_.local_max_iterations, loss_sigmas_};
-  running_.emplace();
-  running_->result = executor_->Submit([bundle = MakeGlobalBundle(session), bundle_options,
-                                        options = options_, scale = session.scale()]() mutable {
+  auto result = executor_->Submit([bundle = MakeGlobalBundle(session), bundle_options,
+                                   options = options_, scale = session.scale()]() mutable {
     if (!Adjust(bundle_options, options, scale, &bundle)) bundle = {};
     return std::move(bundle);
   });
+  running_ = Running{std::move(result), 0};
 }
 
 bool GlobalAdjustment::Advance(Session* session) {

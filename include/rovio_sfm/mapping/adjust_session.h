@@ -37,7 +37,7 @@ class GlobalAdjustment {
  private:
   struct Running {
     std::future<SessionBundle> result;
-    int num_keyframes_since = 0;
+    int num_keyframes_since;  // clang 14 takes no initializer here
   };
 
   AdjustOptions options_;
