@@ -145,6 +145,19 @@ TEST(DriveMapper, LosesTheSessionAfterTooManyWeakFramesAndStartsTheNext) {
   run.ExpectTrajectory(1, 9, 1e-4);
 }
 
+TEST(DriveMapper, BearsAsManyWeakFramesInARowAsAllowed) {
+  SyntheticDriveOptions options;
+  options.blind = {10, 11};
+  options.world.num_cams = 18;
+  for (const int max_weak_frames : {2, 1}) {
+    MapperOptions mapper_options;
+    mapper_options.max_weak_frames = max_weak_frames;
+    DriveRun run(options, mapper_options);
+    run.AddAll();
+    EXPECT_EQ(run.mapper.counters().lost_sessions, max_weak_frames == 2 ? 0u : 1u);
+  }
+}
+
 TEST(DriveMapper, LosesTheSessionWhereNoPairReachesBack) {
   SyntheticDriveOptions options;
   options.cut = 9;
