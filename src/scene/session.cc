@@ -172,7 +172,7 @@ void Session::Observe(const Observation& observation, bool observed) {
   uint8_t& flag = frame.observed[observation.feature];
   ROVIO_CHECK((flag == 1) != observed);
   flag = observed ? 1 : 0;
-  frame.num_observed += observed ? 1 : -1;
+  frame.num_observed = observed ? frame.num_observed + 1 : frame.num_observed - 1;
   MarkFrame(observation.frame);
 }
 

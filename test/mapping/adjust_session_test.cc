@@ -155,6 +155,32 @@ TEST(GlobalAdjustment, WaitsForGrowth) {
   EXPECT_TRUE(global.Advance(&session));
 }
 
+// The session after a global adjustment or the final one with so many iterations.
+std::string BytesAfter(int max_iterations, bool is_final) {
+  Session session = MappedDrive(MakeDrive(0.5));
+  Disturb(0.005, 0.05, &session);
+  MapperOptions options;
+  (is_final ? options.adjust.final_max_iterations : options.adjust.running_max_iterations) =
+      max_iterations;
+  if (is_final) {
+    AdjustFinally(options, &session);
+    return BytesOf(session);
+  }
+  Executor executor(0);
+  GlobalAdjustment global(options, &executor, ResultTiming::kFixed);
+  global.MaybeStart(session);
+  while (!global.Advance(&session)) continue;
+  return BytesOf(session);
+}
+
+TEST(GlobalAdjustment, StopsAfterTheIterationsAllowed) {
+  for (const bool is_final : {false, true}) {
+    const std::string one = BytesAfter(1, is_final), two = BytesAfter(2, is_final);
+    EXPECT_NE(one, two) << is_final;
+    EXPECT_NE(two, BytesAfter(20, is_final)) << is_final;
+  }
+}
+
 TEST(GlobalAdjustment, ForgetsWhatIsAbandoned) {
   Session session = MappedDrive(MakeDrive());
   Executor executor(1);

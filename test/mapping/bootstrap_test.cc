@@ -42,6 +42,19 @@ TEST(FindBootstrapPair, SettlesForTheWidestBelowTheWishedAngle) {
   EXPECT_EQ(pair->second, 4u);
 }
 
+TEST(FindBootstrapPair, MeasuresTheAngleOfTheWidestPoints) {
+  SyntheticDriveOptions drive;
+  drive.world.num_points = 500;
+  BootstrapOptions all, few;
+  few.min_inliers = 20;
+  const auto held = Held(drive, 3);
+  const auto of_all = FindBootstrapPair(held, NoAliases(), all, 1);
+  const auto of_few = FindBootstrapPair(held, NoAliases(), few, 1);
+  ASSERT_TRUE(of_all && of_few);
+  EXPECT_GT(of_few->num_inliers, 150u);  // more than either counts
+  EXPECT_GT(of_few->angle_rad, 1.05 * of_all->angle_rad);
+}
+
 TEST(FindBootstrapPair, AnswersNothingForTooFewFrames) {
   EXPECT_FALSE(FindBootstrapPair({}, NoAliases(), {}, 1));
   EXPECT_FALSE(FindBootstrapPair(Held({}, 1), NoAliases(), {}, 1));

@@ -60,23 +60,22 @@ size_t MapAtRandom(uint64_t seed) {
   const SyntheticDrive drive = MakeSyntheticDrive(RandomDrive(seed));
   MemoryFrameStore store;
   Executor executor(0);
-  uint32_t num_sessions = 0;
-  DriveMapper mapper({{},
-                      &store,
-                      &executor,
-                      nullptr,
-                      [&num_sessions] { return SessionId{++num_sessions}; },
-                      [](Session*) {}},
-                     drive.events[0].id.drive, drive.world.camera);
+  SessionTable table;
+  MapperContext context;
+  context.store = &store;
+  context.sessions = &table;
+  context.executor = &executor;
+  context.on_session_closed = [](Session*) {};
+  DriveMapper mapper(context, drive.events[0].id.drive, drive.world.camera);
   Rng rng(seed + 1000);
   for (const FrameEvent& event : Disorder(drive.events, rng)) {
     mapper.Add(event);
-    for (const auto& session : mapper.sessions()) EXPECT_EQ(CheckInvariants(*session), "") << seed;
+    for (const auto& [id, session] : table.all()) EXPECT_EQ(CheckInvariants(*session), "") << seed;
     if (rng.UniformInt(60) == 0) mapper.Finish();
   }
   mapper.Finish();
   size_t num_mapped = 0;
-  for (const auto& session : mapper.sessions()) {
+  for (const auto& [id, session] : table.all()) {
     EXPECT_EQ(CheckInvariants(*session), "") << seed;
     ExpectTrue(*session, drive.world, seed);
     num_mapped += session->keyframes().size() + session->light_frames().size();

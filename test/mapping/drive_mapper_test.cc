@@ -11,31 +11,43 @@ namespace {
 struct DriveRun {
   explicit DriveRun(const SyntheticDriveOptions& drive_options, const MapperOptions& options = {})
       : drive(MakeSyntheticDrive(drive_options)),
-        mapper({options, &store, &executor, nullptr, [this] { return SessionId{++num_sessions}; },
-                [](Session*) {}},
-               drive.events[0].id.drive, drive.world.camera) {}
+        mapper(Context(options), drive.events[0].id.drive, drive.world.camera) {}
 
   void AddAll() {
     for (const FrameEvent& event : drive.events) {
       outcomes.push_back(mapper.Add(event).outcome);
-      for (const auto& session : mapper.sessions()) ASSERT_EQ(CheckInvariants(*session), "");
+      for (const auto& [id, session] : table.all()) ASSERT_EQ(CheckInvariants(*session), "");
     }
     mapper.Finish();
-    for (const auto& session : mapper.sessions()) ASSERT_EQ(CheckInvariants(*session), "");
+    for (const auto& [id, session] : table.all()) ASSERT_EQ(CheckInvariants(*session), "");
   }
 
   void ExpectTrajectory(size_t session, size_t num_frames, double max_distance) {
-    ASSERT_LT(session, mapper.sessions().size());
-    const auto error = MeasureTrajectory(mapper.sessions()[session]->Snapshot(), drive.world);
+    ASSERT_LT(session, table.all().size());
+    const auto error = MeasureTrajectory(session_at(session).Snapshot(), drive.world);
     ASSERT_TRUE(error);
     EXPECT_EQ(error->num_frames, num_frames);
     EXPECT_LT(error->max_distance, max_distance);
   }
 
+  const Session& session_at(size_t number) const {
+    return *table.Find({static_cast<uint32_t>(number) + 1});
+  }
+
+  MapperContext Context(const MapperOptions& options) {
+    MapperContext context;
+    context.options = options;
+    context.store = &store;
+    context.sessions = &table;
+    context.executor = &executor;
+    context.on_session_closed = [](Session*) {};
+    return context;
+  }
+
   SyntheticDrive drive;
   MemoryFrameStore store;
+  SessionTable table;
   Executor executor{0};
-  uint32_t num_sessions = 0;
   DriveMapper mapper;
   std::vector<MapperOutcome> outcomes;
 };
@@ -43,9 +55,9 @@ struct DriveRun {
 TEST(DriveMapper, RecoversAnExactDrive) {
   DriveRun run({});
   run.AddAll();
-  ASSERT_EQ(run.mapper.sessions().size(), 1u);
-  EXPECT_EQ(run.mapper.sessions()[0]->state(), SessionState::kFinished);
-  EXPECT_FALSE(run.mapper.sessions()[0]->scale().has_value());
+  ASSERT_EQ(run.table.all().size(), 1u);
+  EXPECT_EQ(run.session_at(0).state(), SessionState::kFinished);
+  EXPECT_FALSE(run.session_at(0).scale().has_value());
   run.ExpectTrajectory(0, 16, 1e-4);
   EXPECT_EQ(run.outcomes.front(), MapperOutcome::kHeld);
   EXPECT_EQ(run.outcomes.back(), MapperOutcome::kKeyframe);
@@ -80,8 +92,8 @@ TEST(DriveMapper, PosesLightFrames) {
   options.world.step = 0.2;
   DriveRun run(options);
   run.AddAll();
-  ASSERT_EQ(run.mapper.sessions().size(), 1u);
-  EXPECT_EQ(run.mapper.sessions()[0]->light_frames().size(), 9u);
+  ASSERT_EQ(run.table.all().size(), 1u);
+  EXPECT_EQ(run.session_at(0).light_frames().size(), 9u);
   run.ExpectTrajectory(0, 19, 1e-4);
   EXPECT_EQ(run.outcomes[1], MapperOutcome::kUnposed);
   EXPECT_EQ(run.outcomes[17], MapperOutcome::kLight);
@@ -95,8 +107,8 @@ TEST(DriveMapper, TakesAWeakFrameInOnceItsTracksAreLinked) {
   run.AddAll();
   EXPECT_EQ(run.outcomes[11], MapperOutcome::kWeak);
   EXPECT_EQ(run.outcomes[12], MapperOutcome::kKeyframe);
-  ASSERT_EQ(run.mapper.sessions().size(), 1u);
-  EXPECT_FALSE(run.mapper.sessions()[0]->keyframe(11).weak);
+  ASSERT_EQ(run.table.all().size(), 1u);
+  EXPECT_FALSE(run.session_at(0).keyframe(11).weak);
   run.ExpectTrajectory(0, 16, 1e-4);
 }
 
@@ -108,7 +120,7 @@ TEST(DriveMapper, TriesAWeakFrameAgainAfterEachLaterOne) {
   std::swap(run.drive.events[12].links, run.drive.events[15].links);
   run.AddAll();
   EXPECT_EQ(run.outcomes[11], MapperOutcome::kWeak);
-  EXPECT_FALSE(run.mapper.sessions()[0]->keyframe(11).weak);
+  EXPECT_FALSE(run.session_at(0).keyframe(11).weak);
   run.ExpectTrajectory(0, 16, 1e-4);
 
   MapperOptions few_tries;
@@ -116,7 +128,7 @@ TEST(DriveMapper, TriesAWeakFrameAgainAfterEachLaterOne) {
   DriveRun dropped(options, few_tries);
   std::swap(dropped.drive.events[12].links, dropped.drive.events[15].links);
   dropped.AddAll();
-  EXPECT_EQ(dropped.mapper.sessions()[0]->keyframes().count(11), 0u);
+  EXPECT_EQ(dropped.session_at(0).keyframes().count(11), 0u);
 }
 
 TEST(DriveMapper, DropsAWeakFrameThatStaysWeak) {
@@ -125,8 +137,8 @@ TEST(DriveMapper, DropsAWeakFrameThatStaysWeak) {
   DriveRun run(options);
   run.AddAll();
   EXPECT_EQ(run.outcomes[11], MapperOutcome::kWeak);
-  ASSERT_EQ(run.mapper.sessions().size(), 1u);
-  EXPECT_EQ(run.mapper.sessions()[0]->keyframes().count(11), 0u);
+  ASSERT_EQ(run.table.all().size(), 1u);
+  EXPECT_EQ(run.session_at(0).keyframes().count(11), 0u);
   EXPECT_EQ(run.mapper.counters().weak_frames, 1u);
   run.ExpectTrajectory(0, 15, 1e-4);
 }
@@ -138,11 +150,24 @@ TEST(DriveMapper, LosesTheSessionAfterTooManyWeakFramesAndStartsTheNext) {
   DriveRun run(options);
   run.AddAll();
   EXPECT_EQ(run.mapper.counters().lost_sessions, 1u);
-  ASSERT_EQ(run.mapper.sessions().size(), 2u);
-  EXPECT_EQ(run.mapper.sessions()[0]->state(), SessionState::kLost);
-  EXPECT_EQ(run.mapper.sessions()[1]->state(), SessionState::kFinished);
+  ASSERT_EQ(run.table.all().size(), 2u);
+  EXPECT_EQ(run.session_at(0).state(), SessionState::kLost);
+  EXPECT_EQ(run.session_at(1).state(), SessionState::kFinished);
   run.ExpectTrajectory(0, 9, 1e-4);
   run.ExpectTrajectory(1, 9, 1e-4);
+}
+
+TEST(DriveMapper, BearsAsManyWeakFramesInARowAsAllowed) {
+  SyntheticDriveOptions options;
+  options.blind = {10, 11};
+  options.world.num_cams = 18;
+  for (const int max_weak_frames : {2, 1}) {
+    MapperOptions mapper_options;
+    mapper_options.max_weak_frames = max_weak_frames;
+    DriveRun run(options, mapper_options);
+    run.AddAll();
+    EXPECT_EQ(run.mapper.counters().lost_sessions, max_weak_frames == 2 ? 0u : 1u);
+  }
 }
 
 TEST(DriveMapper, LosesTheSessionWhereNoPairReachesBack) {
@@ -152,7 +177,7 @@ TEST(DriveMapper, LosesTheSessionWhereNoPairReachesBack) {
   DriveRun run(options);
   run.AddAll();
   EXPECT_EQ(run.outcomes[9], MapperOutcome::kHeld);
-  ASSERT_EQ(run.mapper.sessions().size(), 2u);
+  ASSERT_EQ(run.table.all().size(), 2u);
   run.ExpectTrajectory(0, 9, 1e-4);
   run.ExpectTrajectory(1, 9, 1e-4);  // the frame at which it was lost is not
 }
@@ -162,7 +187,7 @@ TEST(DriveMapper, ReportsTheScaleOfTheOdometry) {
   options.metres_per_unit = 0.5;
   DriveRun run(options);
   run.AddAll();
-  const Session& session = *run.mapper.sessions()[0];
+  const Session& session = run.session_at(0);
   ASSERT_TRUE(session.scale().has_value());
   const double units = (OriginInA(session.keyframe(15).cam_from_session) -
                         OriginInA(session.keyframe(0).cam_from_session))
@@ -180,8 +205,8 @@ TEST(DriveMapper, StartsNoMapFromRotationOnTheSpot) {
   options.world.num_cams = 6;
   DriveRun run(options);
   run.AddAll();
-  ASSERT_EQ(run.mapper.sessions().size(), 1u);
-  EXPECT_TRUE(run.mapper.sessions()[0]->keyframes().empty());
+  ASSERT_EQ(run.table.all().size(), 1u);
+  EXPECT_TRUE(run.session_at(0).keyframes().empty());
   for (const MapperOutcome outcome : run.outcomes) EXPECT_EQ(outcome, MapperOutcome::kHeld);
 }
 
@@ -202,7 +227,7 @@ TEST(DriveMapper, GoesOnInAnotherSessionAfterFinish) {
   run.mapper.Finish();
   for (size_t i = 9; i < 18; ++i) run.mapper.Add(run.drive.events[i]);
   run.mapper.Finish();
-  ASSERT_EQ(run.mapper.sessions().size(), 2u);
+  ASSERT_EQ(run.table.all().size(), 2u);
   run.ExpectTrajectory(0, 9, 1e-4);
   run.ExpectTrajectory(1, 9, 1e-4);
 }
@@ -211,7 +236,7 @@ TEST(DriveMapper, ARefusedEventOpensNoSession) {
   DriveRun run({});
   run.AddAll();
   EXPECT_EQ(run.mapper.Add(run.drive.events[3]).outcome, MapperOutcome::kRefused);
-  EXPECT_EQ(run.mapper.sessions().size(), 1u);
+  EXPECT_EQ(run.table.all().size(), 1u);
 }
 
 TEST(DriveMapper, CountsGapsAndGoesOn) {

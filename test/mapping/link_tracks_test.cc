@@ -94,6 +94,49 @@ TEST(TryUniteLandmarks, WeighsByTheNumberOfViews) {
   FAIL() << "no link of two landmarks";
 }
 
+// The session with the landmark of a track moved, and all views of it with it.
+Session WithMovedTrack(const Session& session, TrackId id, const Eigen::Vector3d& shift) {
+  Session moved(session.id(), session.drive(), session.camera());
+  const Landmark& landmark = session.landmarks().at(id);
+  for (const auto& [index, keyframe] : session.keyframes()) {
+    Keyframe frame = keyframe;
+    frame.observed.assign(frame.observed.size(), 0);
+    frame.num_observed = 0;
+    frame.sigmas.assign(frame.sigmas.size(), 1.0 / session.camera().MeanFocal());
+    for (const Observation& view : landmark.observations) {
+      if (view.frame != index) continue;
+      frame.points[view.feature] =
+          (frame.cam_from_session * (landmark.position + shift)).hnormalized();
+    }
+    moved.AddKeyframe(index, frame);
+  }
+  for (const auto& [track, one] : session.landmarks()) {
+    moved.AddLandmark(track, one.position, one.color, one.observations);
+  }
+  moved.SetPosition(id, landmark.position + shift);
+  return moved;
+}
+
+TEST(TryUniteLandmarks, AsksTheViewsOfBothLandmarks) {
+  const SyntheticDrive drive = CutDrive();
+  const Session session = MappedDrive(drive);
+  const Eigen::Vector3d shift(0.0, 0.05, 0.0);  // three quarters of it are too much for a view
+  for (const TrackLink& link : AllLinks(drive)) {
+    const Landmark *a = session.FindLandmark(link.a), *b = session.FindLandmark(link.b);
+    if (a == nullptr || b == nullptr) continue;
+    if (a->observations.size() != 2 || b->observations.size() != 4) continue;
+    Session few_moved = WithMovedTrack(session, session.RootOf(link.a), shift);
+    EXPECT_FALSE(TryUniteLandmarks(link.a, link.b, {}, &few_moved));
+    EXPECT_FALSE(TryUniteLandmarks(link.b, link.a, {}, &few_moved));
+    FilterF2Options wide;
+    wide.max_chi_square = 1000.0;
+    EXPECT_TRUE(TryUniteLandmarks(link.a, link.b, wide, &few_moved));
+    EXPECT_EQ(CheckInvariants(few_moved), "");
+    return;
+  }
+  FAIL() << "no link of a landmark of two views and one of four";
+}
+
 TEST(TryUniteLandmarks, RefusesTracksWithoutLandmarksAndOneWithItself) {
   const SyntheticDrive drive = CutDrive();
   Session session = MappedDrive(drive);

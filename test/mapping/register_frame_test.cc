@@ -31,6 +31,27 @@ TEST(RegisterKeyframe, StaysNearTheTruthWithNoise) {
   EXPECT_LT(PoseDistance(registration->cam_from_session, drive.world.cams_from_map[6]), 0.02);
 }
 
+TEST(RegisterKeyframe, TrustsLargeFeaturesLess) {
+  SyntheticDrive drive = DriveWithNoise(0.0);
+  const Session session = MappedDrive(drive, 6);
+  auto features = std::make_shared<FrameFeatures>(*drive.events[6].features);
+  for (size_t i = 0; i < features->keypoints.size(); ++i) {
+    features->keypoints[i].size_px = 2.0f;
+    if (i % 3 == 0) features->keypoints[i].x_normalized.x() += 0.003;  // 2 px: an inlier still
+  }
+  drive.events[6].features = features;
+  const auto error = [&] {
+    const auto registration = RegisterKeyframe(drive.events[6], {}, session);
+    return registration ? PoseDistance(registration->cam_from_session, drive.world.cams_from_map[6])
+                        : 1.0;
+  };
+  const double trusted = error();
+  for (size_t i = 0; i < features->keypoints.size(); i += 3) {
+    features->keypoints[i].size_px = 600.0f;  // ten times less certain
+  }
+  EXPECT_LT(error(), 0.5 * trusted);
+}
+
 TEST(RegisterKeyframe, RefusesTooFewMatches) {
   SyntheticDrive drive = DriveWithNoise(0.0);
   const Session session = MappedDrive(drive, 6);
@@ -98,6 +119,7 @@ TEST(RefineLightFrames, MovesThemToWhereTheLandmarksSay) {
   LightFrame frame = MakeLightFrame(drive.events[5]);
   ASSERT_TRUE(PoseLightFrame(5, {}, {}, &frame, session));
   frame.cam_from_reference.translation += Eigen::Vector3d(0.01, 0.0, 0.0);
+  frame.num_inliers = 1;
   session.AddLightFrame(5, frame);
   LightFrame blind = frame;
   blind.tracks.clear();
@@ -107,6 +129,7 @@ TEST(RefineLightFrames, MovesThemToWhereTheLandmarksSay) {
   const Rigid3& reference = session.keyframe(4).cam_from_session;
   const Rigid3 pose = session.light_frames().at(5).cam_from_reference * reference;
   EXPECT_LT(PoseDistance(pose, drive.world.cams_from_map[5]), 1e-7);
+  EXPECT_GE(session.light_frames().at(5).num_inliers, 20u);
   EXPECT_EQ(session.light_frames().at(7).cam_from_reference.translation,
             frame.cam_from_reference.translation);
 }

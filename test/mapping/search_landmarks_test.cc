@@ -71,6 +71,17 @@ TEST(SearchLandmarks, UnitesLandmarksOfOnePoint) {
   EXPECT_EQ(CheckInvariants(session), "");
 }
 
+TEST(SearchLandmarks, UnitesOnlyWhatPassesF2) {
+  const SyntheticDrive drive = CutDrive(0.7);
+  Session session = MappedDrive(drive);
+  const size_t before = session.landmarks().size();
+  SearchLandmarksOptions options;
+  options.f2.max_chi_square = 1e-6;
+  EXPECT_EQ(SearchLandmarks(kNewest, options, StoreOf(drive), &session).num_united, 0u);
+  EXPECT_EQ(session.landmarks().size(), before);
+  EXPECT_GT(SearchLandmarks(kNewest, {}, StoreOf(drive), &session).num_united, 20u);
+}
+
 TEST(SearchLandmarks, AddsNothingThatLooksDifferent) {
   const SyntheticDrive drive = CutDrive();
   Session session = GrownDrive(drive);

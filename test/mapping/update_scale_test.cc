@@ -59,10 +59,11 @@ TEST(UpdateScale, SaysNothingWithoutOdometry) {
 // A session that looks forward over a floor kHeight map units below its cameras.
 constexpr double kHeight = 0.6;
 
-Session DriveOverFloor() {
+Session DriveOverFloor(const std::optional<double>& metres_per_unit = std::nullopt) {
   SyntheticDriveOptions options;
   options.world.motion = SyntheticMotion::kForward;
   options.world.num_points = 900;
+  options.metres_per_unit = metres_per_unit;
   SyntheticDrive drive = MakeSyntheticDrive(options);
   Session session = MappedDrive(drive);
   Rng rng(4);
@@ -82,6 +83,41 @@ TEST(UpdateScale, TakesTheCameraHeightWithoutOdometry) {
   ASSERT_TRUE(UpdateScale(options, false, &session));
   EXPECT_EQ(session.scale()->source, "camera height");
   EXPECT_NEAR(session.scale()->metres_per_unit, 0.3 / kHeight, 0.01);
+}
+
+TEST(UpdateScale, TakesTheMoreCertainOfOdometryAndCameraHeight) {
+  Session session = DriveOverFloor(kMetresPerUnit);
+  for (const double camera_height_sigma : {0.001, 0.5}) {
+    ScaleOptions options;
+    options.camera_height_m = 0.3;
+    options.camera_height_sigma = camera_height_sigma;
+    ASSERT_TRUE(UpdateScale(options, true, &session));
+    EXPECT_EQ(session.scale()->source, camera_height_sigma < 0.1 ? "camera height" : "odometry");
+  }
+}
+
+TEST(UpdateScale, KnowsThatARaisedHeadIsHigherAboveTheFloor) {
+  Session session = DriveOverFloor(kMetresPerUnit);
+  Session raised(session.id(), session.drive(), session.camera());
+  for (const auto& [index, keyframe] : session.keyframes()) {
+    Keyframe frame = keyframe;
+    frame.odometry.reset();
+    if (index == 0) {
+      frame.base_from_camera->translation.z() -= 0.05;
+      frame.cam_from_session.translation -=
+          frame.cam_from_session.rotation * Eigen::Vector3d(0.0, 0.1, 0.0);
+    }
+    frame.observed.assign(frame.observed.size(), 0);
+    frame.num_observed = 0;
+    raised.AddKeyframe(index, frame);
+  }
+  for (const auto& [id, landmark] : session.landmarks()) {
+    raised.AddLandmark(id, landmark.position, {}, landmark.observations);
+  }
+  ScaleOptions options;
+  options.camera_height_m = 0.25;  // of the first; the others are 0.3 m high
+  ASSERT_TRUE(UpdateScale(options, false, &raised));
+  EXPECT_NEAR(raised.scale()->metres_per_unit, 0.3 / kHeight, 0.02);
 }
 
 TEST(UpdateScale, IgnoresTheFloorWhereTheHeightIsNotKnown) {

@@ -34,6 +34,20 @@ TEST(PredictWeakPose, TakesTheBaselineOfTheOdometryWhereThereIsAScale) {
   EXPECT_GT(PoseDistance(*PredictWeakPose(event, session), drive.world.cams_from_map[6]), 0.5);
 }
 
+TEST(PredictWeakPose, TakesTheBaselineOfTheOdometryInAnyDirection) {
+  const SyntheticDrive drive = DriveWithOdometry();
+  Session session({1}, drive.events[0].id.drive, drive.world.camera);
+  FrameEvent event;
+  for (uint32_t i = 0; i <= 6; ++i) {
+    event = drive.events[i];
+    std::swap(event.odometry->x_m, event.odometry->y_m);  // the robot drives along y
+    const Rigid3& pose = drive.world.cams_from_map[i == 4 ? 0 : i];
+    if (i < 6) session.AddKeyframe(i, MakeKeyframe(event, pose, {}));
+  }
+  session.set_scale(MapScale{0.5, 0.05, "odometry"});
+  EXPECT_LT(PoseDistance(*PredictWeakPose(event, session), drive.world.cams_from_map[6]), 1e-2);
+}
+
 TEST(PredictWeakPose, PassesOverFailedPairsAndUnknownFrames) {
   const SyntheticDrive drive = MakeSyntheticDrive({});
   FrameEvent event = drive.events[6];
