@@ -98,16 +98,22 @@ void MappingEngine::Reset() {
   state_.reset();
   state_ = std::make_unique<State>(options_);
   anchors_.clear();
+  ++epoch_;
   Show();
 }
 
 void MappingEngine::Show() {
-  MapPicture picture;
+  MapPicture picture = Picture();
+  ++picture.number;
+  picture.epoch = epoch_;
   picture.snapshot = state_->mapper.Snapshot();
   picture.anchors = anchors_;
   picture.counters = state_->mapper.counters();
   picture.num_events = num_events_;
-  picture.merges = state_->mapper.MergeReports();
+  std::vector<MergeReport> merges = state_->mapper.MergeReports();
+  if (!(merges == *picture.merges)) {
+    picture.merges = std::make_shared<const std::vector<MergeReport>>(std::move(merges));
+  }
   picture.num_place_matches = num_place_matches_;
   picture.num_matches_waiting = state_->mapper.num_matches_waiting();
   picture.num_matches_repeated = state_->mapper.num_matches_repeated();

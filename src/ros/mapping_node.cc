@@ -142,7 +142,7 @@ void MappingNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) 
   status.add("place matches waiting", picture.num_matches_waiting);
   status.add("place matches repeated", picture.num_matches_repeated);
   status.add("place matches refused", counters.refused_matches);
-  status.add("overlaps judged", picture.merges.size());
+  status.add("overlaps judged", picture.merges->size());
   status.add("sessions", sessions.size());
   status.add("sessions lost", picture.counters.lost_sessions);
   status.add("keyframes", picture.counters.keyframes);

@@ -60,12 +60,12 @@ TEST(MappingEngine, ShowsTheMergeThatAPlaceMatchBrings) {
   MappingEngine engine((MapOptions()));
   engine.Add(TrueOverlap(two, 8, 8));  // waits: its drives are not known yet
   EXPECT_EQ(engine.Picture().num_place_matches, 1u);
-  EXPECT_TRUE(engine.Picture().merges.empty());
+  EXPECT_TRUE(engine.Picture().merges->empty());
   for (const FrameEvent& event : two.a) engine.Add(event);
   for (const FrameEvent& event : two.b) engine.Add(event);
   const MapPicture picture = engine.Picture();
-  ASSERT_EQ(picture.merges.size(), 1u);
-  EXPECT_EQ(picture.merges[0].verdict, MergeVerdict::kAccepted) << picture.merges[0].reason;
+  ASSERT_EQ(picture.merges->size(), 1u);
+  EXPECT_EQ((*picture.merges)[0].verdict, MergeVerdict::kAccepted) << (*picture.merges)[0].reason;
   EXPECT_EQ(picture.snapshot->sessions[1].map.value, 1u);
 }
 

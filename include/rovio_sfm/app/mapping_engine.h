@@ -23,11 +23,15 @@ struct OdometryAnchor {
 
 // What the world may see of the mapping, at one moment.
 struct MapPicture {
+  uint64_t number = 0;  // raised with every picture
+  uint64_t epoch = 0;   // raised when all maps are forgotten: sessions are numbered anew
   std::shared_ptr<const MapSnapshot> snapshot;
   std::map<std::string, OdometryAnchor> anchors;  // by robot, of its newest registered frame
   MapperCounters counters;
   uint64_t num_events = 0;
-  std::vector<MergeReport> merges;  // by id
+  // By id; never null, and the same list as long as nothing in it changes.
+  std::shared_ptr<const std::vector<MergeReport>> merges =
+      std::make_shared<const std::vector<MergeReport>>();
   uint64_t num_place_matches = 0, num_matches_waiting = 0, num_matches_repeated = 0;
 };
 
@@ -77,7 +81,7 @@ class MappingEngine {
   std::set<DriveId> ended_drives_;
   std::map<DriveId, uint32_t> next_indices_;
   std::map<std::string, OdometryAnchor> anchors_;
-  uint64_t num_events_ = 0, num_place_matches_ = 0;
+  uint64_t epoch_ = 0, num_events_ = 0, num_place_matches_ = 0;
   mutable Mutex mutex_;
   MapPicture picture_ GUARDED_BY(mutex_);
 };

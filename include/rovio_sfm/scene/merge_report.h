@@ -46,5 +46,6 @@ struct MergeReport {
   uint32_t num_links = 0;     // features joined, after the guided search
   double error_before_px = 0.0, error_after_px = 0.0;  // median of landmarks seen across
 };
+bool operator==(const MergeReport& a, const MergeReport& b);
 
 }  // namespace rovio_sfm
