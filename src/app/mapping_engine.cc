@@ -82,11 +82,28 @@ uint32_t MappingEngine::NextIndex(const FrameId& id) const {
   return next == next_indices_.end() ? 0 : std::min(next->second, id.index);
 }
 
-bool MappingEngine::FinishSession(const std::string& robot) {
+// The drive's newest session, unless it is closed.
+std::optional<SessionId> MappingEngine::RunningSession(const DriveId& drive) const {
+  const auto snapshot = Picture().snapshot;
+  std::optional<SessionId> running;
+  for (const SessionSnapshot& session : snapshot->sessions) {
+    if (session.drive != drive) continue;
+    const bool is_closed =
+        session.state == SessionState::kFinished || session.state == SessionState::kLost;
+    running = is_closed ? std::nullopt : std::optional<SessionId>(session.id);
+  }
+  return running;
+}
+
+std::optional<ClosedSession> MappingEngine::FinishSession(const std::string& robot) {
   const auto drive = current_drives_.find(robot);
-  if (drive == current_drives_.end() || !state_->mapper.FinishSession(drive->second)) return false;
+  if (drive == current_drives_.end()) return std::nullopt;
+  const std::optional<SessionId> running = RunningSession(drive->second);
+  if (!running || !state_->mapper.FinishSession(drive->second)) return std::nullopt;
   Show();
-  return true;
+  const auto snapshot = Picture().snapshot;
+  const SessionSnapshot* session = FindSession(*snapshot, *running);
+  return ClosedSession{*running, session != nullptr && !session->frames.empty()};
 }
 
 void MappingEngine::Finish() {

@@ -45,29 +45,32 @@ bool MappingNode::GetFrames(GetFramesRequest& request, GetFramesResponse& respon
 }
 
 bool MappingNode::StartSession(StartSessionRequest& request, StartSessionResponse& response) {
-  uint32_t session = 0;
-  response.status = CloseSession(request.robot, &session);
+  std::optional<ClosedSession> closed;
+  response.status = CloseSession(request.robot, &closed);
   return true;
 }
 
 bool MappingNode::FinishSession(FinishSessionRequest& request, FinishSessionResponse& response) {
-  response.status = CloseSession(request.robot, &response.session);
+  std::optional<ClosedSession> closed;
+  response.status = CloseSession(request.robot, &closed);
+  if (!closed) return true;
+  if (closed->has_frames) {
+    response.session = closed->id.value;
+  } else {
+    response.status = FailedPrecondition("the newest session of " + request.robot + ", " +
+                                         std::to_string(closed->id.value) + ", has no frames yet");
+  }
   return true;
 }
 
-Status MappingNode::CloseSession(const std::string& robot, uint32_t* session) {
+Status MappingNode::CloseSession(const std::string& robot, std::optional<ClosedSession>* closed) {
   std::string error;
   if (!IsValidRobotName(robot, &error)) return InvalidArgument(error);
-  bool is_known = false;
-  const auto close = [&] {
-    const MapPicture picture = engine_.Picture();
-    const auto anchor = picture.anchors.find(robot);
-    if (anchor != picture.anchors.end()) *session = anchor->second.session.value;
-    is_known = engine_.FinishSession(robot);
-  };
+  const auto close = [&] { *closed = engine_.FinishSession(robot); };
   if (!RunAndWait(close, &worker_)) return Internal(kDropped);
-  if (!is_known) return NotFound("robot " + robot + " has no session that runs");
-  return Ok("the session of " + robot + " is finished; its next frame begins another");
+  if (!*closed) return NotFound("robot " + robot + " has no session that runs");
+  return Ok("session " + std::to_string((*closed)->id.value) + " of " + robot +
+            " is finished; its next frame begins another");
 }
 
 bool MappingNode::ExportMap(ExportMapRequest& request, ExportMapResponse& response) {

@@ -106,6 +106,15 @@ class MappingPublishNodeTest(unittest.TestCase):
         self.assertEqual(cameras.messages[0].markers[0].action, Marker.DELETEALL)
         self.assertEqual(self.drawn(cameras.messages[0]), {"session_1", "session_2"})
 
+    def test_finishing_a_session_without_frames_does_not_name_the_one_before(self):
+        self.frames[0].publish(self.world.frame(2 * len(FINISHED)))
+        self.wait(lambda: len(self.status.last().sessions) == 3)
+        finish = rospy.ServiceProxy("/finish_session", FinishSession)
+        reply = finish("rovio1")
+        self.assertEqual((reply.status.code, reply.session), (Status.FAILED_PRECONDITION, 0))
+        self.assertIn("no frames yet", reply.status.message)
+        self.assertEqual(finish("rovio1").status.code, Status.NOT_FOUND)
+
     def test_reset_clears_what_is_shown(self):
         path, cloud = self.collect("/path/session_1", Path), self.collect("/cloud", PointCloud2)
         cameras = self.collect("/cameras", MarkerArray)

@@ -21,6 +21,12 @@ struct OdometryAnchor {
   std::optional<OdometrySample> odometry;
 };
 
+// A session that was closed by request.
+struct ClosedSession {
+  SessionId id;
+  bool has_frames = false;  // false: it found no first two frames
+};
+
 // What the world may see of the mapping, at one moment.
 struct MapPicture {
   uint64_t number = 0;  // raised with every picture
@@ -55,8 +61,8 @@ class MappingEngine {
   // The first index of the event's drive that is missing before it; its own index if none is.
   uint32_t NextIndex(const FrameId& id) const;
 
-  // Closes the running session of a robot; false if none of its frames came yet.
-  bool FinishSession(const std::string& robot);
+  // Closes the running session of a robot, and says which that was; nothing if none runs.
+  std::optional<ClosedSession> FinishSession(const std::string& robot);
   void Finish();
   // Forgets all maps; drives that run go on in new sessions.
   void Reset();
@@ -73,6 +79,7 @@ class MappingEngine {
   };
 
   bool EnterDrive(const DriveId& drive, std::string* error);
+  std::optional<SessionId> RunningSession(const DriveId& drive) const;
   void Show() EXCLUDES(mutex_);
 
   MapOptions options_;

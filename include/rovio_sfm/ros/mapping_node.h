@@ -16,6 +16,7 @@
 
 #include <atomic>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,7 +59,7 @@ class MappingNode {
   bool Reset(ResetRequest& request, ResetResponse& response);
   bool MergeSessions(MergeSessionsRequest& request, MergeSessionsResponse& response);
   bool UnmergeSession(UnmergeSessionRequest& request, UnmergeSessionResponse& response);
-  Status CloseSession(const std::string& robot, uint32_t* session);
+  Status CloseSession(const std::string& robot, std::optional<ClosedSession>* closed);
 
   void Ingest(const FrameEventMsg::ConstPtr& message, const FrameEvent& event);  // worker, as below
   void FetchMissing(const FrameId& id);
