@@ -36,10 +36,12 @@ void AddCounters(const MapPicture& picture, const IngestCounters& counters, MapS
   status->num_refused = static_cast<uint32_t>(counters.refused + picture.counters.refused_events);
   status->num_missing = static_cast<uint32_t>(picture.counters.missing_events);
   status->num_dropped = static_cast<uint32_t>(counters.dropped);
+  status->num_gaps_lost = static_cast<uint32_t>(counters.lost_gaps);
   status->num_place_matches = static_cast<uint32_t>(picture.num_place_matches);
   status->num_place_matches_waiting = static_cast<uint32_t>(picture.num_matches_waiting);
   status->num_place_matches_repeated = static_cast<uint32_t>(picture.num_matches_repeated);
   status->num_place_matches_refused = static_cast<uint32_t>(counters.refused_matches);
+  status->num_place_matches_dropped = static_cast<uint32_t>(counters.dropped_matches);
 }
 
 void AddMerges(const std::vector<MergeReport>& merges, MapStatus* status) {
@@ -54,8 +56,10 @@ void AddMerges(const std::vector<MergeReport>& merges, MapStatus* status) {
 }  // namespace
 
 bool operator==(const IngestCounters& a, const IngestCounters& b) {
-  return std::tie(a.refused, a.dropped, a.refused_matches) ==
-         std::tie(b.refused, b.dropped, b.refused_matches);
+  const auto fields_of = [](const IngestCounters& c) {
+    return std::tie(c.refused, c.dropped, c.lost_gaps, c.refused_matches, c.dropped_matches);
+  };
+  return fields_of(a) == fields_of(b);
 }
 
 std::optional<MapStatus> MapStatusWriter::Write(const MapPicture& picture,

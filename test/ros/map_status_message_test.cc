@@ -14,7 +14,7 @@ TEST(MapStatusMessage, CountsWhatCameInAndWhatDidNot) {
   picture.num_place_matches = 9;
   picture.num_matches_waiting = 3;
   picture.num_matches_repeated = 5;
-  const MapStatus status = MapStatusWriter().Write(picture, {1, 2, 4}).value();
+  const MapStatus status = MapStatusWriter().Write(picture, {1, 2, 7, 4, 8}).value();
   EXPECT_EQ(status.header.stamp, ros::Time(3));
   EXPECT_EQ(status.sessions.size(), 2u);
   EXPECT_EQ(status.maps.size(), 2u);
@@ -25,6 +25,8 @@ TEST(MapStatusMessage, CountsWhatCameInAndWhatDidNot) {
   EXPECT_EQ(status.num_place_matches_waiting, 3u);
   EXPECT_EQ(status.num_place_matches_repeated, 5u);
   EXPECT_EQ(status.num_place_matches_refused, 4u);
+  EXPECT_EQ(status.num_place_matches_dropped, 8u);
+  EXPECT_EQ(status.num_gaps_lost, 7u);
 }
 
 TEST(MapStatusMessage, HoldsTheNewestReportsAndCountsAll) {
@@ -51,10 +53,10 @@ TEST(MapStatusMessage, IsWrittenAgainOnlyWhenSomethingIsNew) {
   picture.snapshot = SmallMaps(2);
   EXPECT_TRUE(writer.Write(picture, {}));
   EXPECT_FALSE(writer.Write(picture, {}));
-  EXPECT_TRUE(writer.Write(picture, {1, 0, 0}));
-  EXPECT_FALSE(writer.Write(picture, {1, 0, 0}));
+  EXPECT_TRUE(writer.Write(picture, {1, 0, 0, 0, 0}));
+  EXPECT_FALSE(writer.Write(picture, {1, 0, 0, 0, 0}));
   ++picture.number;
-  EXPECT_TRUE(writer.Write(picture, {1, 0, 0}));
+  EXPECT_TRUE(writer.Write(picture, {1, 0, 0, 0, 0}));
 }
 
 TEST(MapStatusMessage, CountsAgainWhatChanged) {

@@ -13,11 +13,12 @@ namespace rovio_sfm {
 
 // What came in but never became part of a map.
 struct IngestCounters {
-  uint64_t refused = 0;  // frame events
-  uint64_t dropped = 0;  // frame events, queue full
+  uint64_t refused = 0;    // frame events
+  uint64_t dropped = 0;    // frame events, queue full
+  uint64_t lost_gaps = 0;  // of drives, whose frontend did not answer in time
   uint64_t refused_matches = 0;
+  uint64_t dropped_matches = 0;  // queue full
 };
-
 bool operator==(const IngestCounters& a, const IngestCounters& b);
 
 // Writes what map_status says; of the merge reports the newest 50, and counts of all. Sessions and
