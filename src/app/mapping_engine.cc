@@ -82,11 +82,28 @@ uint32_t MappingEngine::NextIndex(const FrameId& id) const {
   return next == next_indices_.end() ? 0 : std::min(next->second, id.index);
 }
 
-bool MappingEngine::FinishSession(const std::string& robot) {
+// The drive's newest session, unless it is closed.
+std::optional<SessionId> MappingEngine::RunningSession(const DriveId& drive) const {
+  const auto snapshot = Picture().snapshot;
+  std::optional<SessionId> running;
+  for (const SessionSnapshot& session : snapshot->sessions) {
+    if (session.drive != drive) continue;
+    const bool is_closed =
+        session.state == SessionState::kFinished || session.state == SessionState::kLost;
+    running = is_closed ? std::nullopt : std::optional<SessionId>(session.id);
+  }
+  return running;
+}
+
+std::optional<ClosedSession> MappingEngine::FinishSession(const std::string& robot) {
   const auto drive = current_drives_.find(robot);
-  if (drive == current_drives_.end() || !state_->mapper.FinishSession(drive->second)) return false;
+  if (drive == current_drives_.end()) return std::nullopt;
+  const std::optional<SessionId> running = RunningSession(drive->second);
+  if (!running || !state_->mapper.FinishSession(drive->second)) return std::nullopt;
   Show();
-  return true;
+  const auto snapshot = Picture().snapshot;
+  const SessionSnapshot* session = FindSession(*snapshot, *running);
+  return ClosedSession{*running, session != nullptr && !session->frames.empty()};
 }
 
 void MappingEngine::Finish() {
@@ -98,16 +115,22 @@ void MappingEngine::Reset() {
   state_.reset();
   state_ = std::make_unique<State>(options_);
   anchors_.clear();
+  ++epoch_;
   Show();
 }
 
 void MappingEngine::Show() {
-  MapPicture picture;
+  MapPicture picture = Picture();
+  ++picture.number;
+  picture.epoch = epoch_;
   picture.snapshot = state_->mapper.Snapshot();
   picture.anchors = anchors_;
   picture.counters = state_->mapper.counters();
   picture.num_events = num_events_;
-  picture.merges = state_->mapper.MergeReports();
+  std::vector<MergeReport> merges = state_->mapper.MergeReports();
+  if (!(merges == *picture.merges)) {
+    picture.merges = std::make_shared<const std::vector<MergeReport>>(std::move(merges));
+  }
   picture.num_place_matches = num_place_matches_;
   picture.num_matches_waiting = state_->mapper.num_matches_waiting();
   picture.num_matches_repeated = state_->mapper.num_matches_repeated();

@@ -12,6 +12,7 @@ bool MappingNodeOptions::IsValid(std::string* error) const {
   checker.Range("number of robots", robots.size(), size_t{1}, size_t{32});
   checker.Range("cloud_period_s", cloud_period_s, 0.1, 60.0);
   checker.Range("drain_s", drain_s, 0.0, 3600.0);
+  checker.Range("fetch_timeout_s", fetch_timeout_s, 0.1, 600.0);
   checker.Range("diagnostic_period", diagnostic_period, 0.1, 60.0);
   checker.Nested(mapper);
   if (!checker.Passed()) return false;
@@ -29,6 +30,7 @@ MappingNodeOptions LoadMappingNodeOptions(const YAML::Node& parameters) {
   reader.Read("overwrite", &options.overwrite);
   reader.Read("cloud_period_s", &options.cloud_period_s);
   reader.Read("drain_s", &options.drain_s);
+  reader.Read("fetch_timeout_s", &options.fetch_timeout_s);
   reader.Read("diagnostic_period", &options.diagnostic_period);
   OptionReader mapper = reader.Group("mapper");
   ReadOptions(&mapper, &options.mapper);

@@ -3,10 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <map>
+#include <iterator>
 #include <optional>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "rovio_sfm/report/level_session.h"
 #include "rovio_sfm/ros/map_frames.h"
@@ -32,6 +32,11 @@ constexpr Color kAcceptedColor = {0.2f, 1.0f, 1.0f};
 constexpr Color kProvisionalColor = {1.0f, 0.2f, 1.0f};
 // Width of lines, of a frustum's depth: thin, as many stand close together.
 constexpr double kLineShare = 0.04;
+
+// Of the markers' namespaces: each is one of these and a session's number.
+constexpr char kFrusta[] = "session";
+constexpr char kAcceptedOverlaps[] = "overlaps";
+constexpr char kProvisionalOverlaps[] = "provisional_overlaps";
 
 std::vector<Rigid3> LevelFromKeyframes(const SessionSnapshot& session) {
   std::vector<Rigid3> poses;
@@ -91,13 +96,21 @@ void AddFrustum(const Rigid3& level_from_camera, const Camera& camera, double de
   }
 }
 
+// Deletes what was drawn of a session, until it has lines.
+Marker NoLines(SessionId session, const std::string& name, const ros::Time& stamp) {
+  Marker marker;
+  marker.header.frame_id = SessionFrame(session);
+  marker.header.stamp = stamp;
+  marker.ns = name + "_" + std::to_string(session.value);
+  marker.type = Marker::LINE_LIST;
+  marker.action = Marker::DELETE;
+  return marker;
+}
+
 Marker Lines(const SessionSnapshot& session, const std::string& name, const Color& color,
              double width, const ros::Time& stamp) {
-  Marker marker;
-  marker.header.frame_id = SessionFrame(session.id);
-  marker.header.stamp = stamp;
-  marker.ns = name + "_" + std::to_string(session.id.value);
-  marker.type = Marker::LINE_LIST;
+  Marker marker = NoLines(session.id, name, stamp);
+  marker.action = Marker::ADD;
   marker.color.r = color[0];
   marker.color.g = color[1];
   marker.color.b = color[2];
@@ -109,9 +122,10 @@ Marker Lines(const SessionSnapshot& session, const std::string& name, const Colo
 
 Marker Frusta(const SessionSnapshot& session, const ros::Time& stamp) {
   const std::vector<Rigid3> poses = LevelFromKeyframes(session);
+  if (poses.empty()) return NoLines(session.id, kFrusta, stamp);
   const double depth = FrustumDepth(poses);
   const Color& color = kSessionColors[(session.id.value - 1) % kSessionColors.size()];
-  Marker marker = Lines(session, "session", color, kLineShare * depth, stamp);
+  Marker marker = Lines(session, kFrusta, color, kLineShare * depth, stamp);
   for (const Rigid3& pose : poses) AddFrustum(pose, session.camera, depth, &marker);
   return marker;
 }
@@ -137,48 +151,69 @@ void AddOverlap(const MergeReport& report, const SessionSnapshot& other,
   marker->points.push_back(ToPoint(*level_from_other * (other_from_query * *query_center)));
 }
 
-// The overlaps with a verdict, one marker a session.
-std::vector<Marker> OverlapLines(const MapSnapshot& snapshot,
-                                 const std::vector<MergeReport>& merges, MergeVerdict verdict,
-                                 const ros::Time& stamp) {
+// The overlaps of a session (as the other) that have a verdict.
+Marker OverlapLines(const MapSnapshot& snapshot, const std::vector<MergeReport>& merges,
+                    const SessionSnapshot& other, MergeVerdict verdict, const ros::Time& stamp) {
   const bool is_accepted = verdict == MergeVerdict::kAccepted;
-  std::map<SessionId, Marker> markers;
+  const double width = kLineShare * FrustumDepth(LevelFromKeyframes(other));
+  Marker marker = Lines(other, is_accepted ? kAcceptedOverlaps : kProvisionalOverlaps,
+                        is_accepted ? kAcceptedColor : kProvisionalColor, width, stamp);
   for (const MergeReport& report : merges) {
-    const SessionSnapshot* other = FindSession(snapshot, report.other_session);
+    if (report.verdict != verdict || !(report.other_session == other.id)) continue;
     const SessionSnapshot* query = FindSession(snapshot, report.query_session);
-    if (report.verdict != verdict || other == nullptr || query == nullptr) continue;
-    const auto [found, is_new] = markers.try_emplace(other->id);
-    if (is_new) {
-      const double width = kLineShare * FrustumDepth(LevelFromKeyframes(*other));
-      found->second = Lines(*other, is_accepted ? "overlaps" : "provisional_overlaps",
-                            is_accepted ? kAcceptedColor : kProvisionalColor, width, stamp);
-    }
-    AddOverlap(report, *other, *query, &found->second);
+    if (query != nullptr) AddOverlap(report, other, *query, &marker);
   }
-  std::vector<Marker> lines;
-  for (auto& [id, marker] : markers) lines.push_back(std::move(marker));
-  return lines;
+  if (marker.points.empty()) marker.action = Marker::DELETE;
+  return marker;
+}
+
+// Of a session that is gone: what deletes them.
+void AddOverlaps(const MapSnapshot& snapshot, const std::vector<MergeReport>& merges, SessionId id,
+                 const ros::Time& stamp, std::vector<Marker>* markers) {
+  const SessionSnapshot* other = FindSession(snapshot, id);
+  if (other == nullptr) {
+    markers->push_back(NoLines(id, kAcceptedOverlaps, stamp));
+    markers->push_back(NoLines(id, kProvisionalOverlaps, stamp));
+    return;
+  }
+  for (const MergeVerdict verdict : {MergeVerdict::kAccepted, MergeVerdict::kProvisional}) {
+    markers->push_back(OverlapLines(snapshot, merges, *other, verdict, stamp));
+  }
 }
 
 }  // namespace
 
+visualization_msgs::MarkerArray ChangedCameraMarkers(const MapSnapshot& snapshot,
+                                                     const std::vector<MergeReport>& merges,
+                                                     const SessionChanges& changes,
+                                                     const ros::Time& stamp) {
+  visualization_msgs::MarkerArray markers;
+  for (const SessionId id : changes.gone) markers.markers.push_back(NoLines(id, kFrusta, stamp));
+  for (const SessionId id : changes.sessions) {
+    markers.markers.push_back(Frusta(*FindSession(snapshot, id), stamp));
+  }
+  for (const SessionId id : changes.overlaps) {
+    AddOverlaps(snapshot, merges, id, stamp, &markers.markers);
+  }
+  return markers;
+}
+
 visualization_msgs::MarkerArray CameraMarkers(const MapSnapshot& snapshot,
                                               const std::vector<MergeReport>& merges,
                                               const ros::Time& stamp) {
+  SessionChanges all;
+  for (const SessionSnapshot& session : snapshot.sessions) all.sessions.push_back(session.id);
+  for (const MergeReport& report : merges) {
+    if (FindSession(snapshot, report.other_session)) all.overlaps.insert(report.other_session);
+  }
+  const auto parts = ChangedCameraMarkers(snapshot, merges, all, stamp).markers;
   visualization_msgs::MarkerArray markers;
-  Marker clear;  // sessions that are gone
+  Marker clear;  // whatever the listener drew before
   clear.action = Marker::DELETEALL;
   clear.header.frame_id = MapFrame();
   markers.markers.push_back(clear);
-  std::vector<Marker> lines;
-  for (const SessionSnapshot& session : snapshot.sessions) lines.push_back(Frusta(session, stamp));
-  for (const MergeVerdict verdict : {MergeVerdict::kAccepted, MergeVerdict::kProvisional}) {
-    const auto overlaps = OverlapLines(snapshot, merges, verdict, stamp);
-    lines.insert(lines.end(), overlaps.begin(), overlaps.end());
-  }
-  for (Marker& marker : lines) {
-    if (!marker.points.empty()) markers.markers.push_back(std::move(marker));
-  }
+  std::copy_if(parts.begin(), parts.end(), std::back_inserter(markers.markers),
+               [](const Marker& marker) { return marker.action == Marker::ADD; });
   return markers;
 }
 

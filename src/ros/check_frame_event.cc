@@ -9,6 +9,7 @@ namespace {
 
 constexpr size_t kMaxKeypoints = std::numeric_limits<uint16_t>::max();  // indices have 16 bits
 constexpr size_t kMaxNameLength = 256;
+constexpr uint32_t kNoIndex = std::numeric_limits<uint32_t>::max();  // there is always a next one
 constexpr size_t kMaxPairs = 1000;
 constexpr size_t kMaxLinks = 100000;
 constexpr size_t kMaxJpegBytes = 64u << 20;
@@ -39,6 +40,7 @@ bool HasConsistentHeader(const FrameEventMsg& m, std::string* error) {
         std::to_string(FrameEventMsg::FORMAT_VERSION) + ", got " + std::to_string(m.format_version),
         error);
   }
+  if (m.id.index == kNoIndex) return Refuse("index", "less than 4294967295", error);
   if (m.kind != FrameEventMsg::KEYFRAME && m.kind != FrameEventMsg::LIGHT) {
     return Refuse("kind", "KEYFRAME or LIGHT", error);
   }

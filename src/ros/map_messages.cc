@@ -120,6 +120,12 @@ SessionSummary SummaryOf(const SessionSnapshot& session) {
   return summary;
 }
 
+std::optional<MapSummary> SummaryOf(const MapSnapshot& snapshot, MapId id) {
+  const std::optional<LevelMap> map = FindLevelMap(snapshot, id);
+  if (!map) return std::nullopt;
+  return SummaryOf(*map);
+}
+
 std::vector<SessionSummary> SessionSummaries(const MapSnapshot& snapshot) {
   std::vector<SessionSummary> summaries;
   for (const SessionSnapshot& session : snapshot.sessions) summaries.push_back(SummaryOf(session));
@@ -131,7 +137,7 @@ std::vector<MapSummary> MapSummaries(const MapSnapshot& snapshot) {
   for (const SessionSnapshot& session : snapshot.sessions) ids.insert(session.map);
   std::vector<MapSummary> summaries;
   for (const MapId id : ids) {
-    if (const auto map = FindLevelMap(snapshot, id)) summaries.push_back(SummaryOf(*map));
+    if (const auto summary = SummaryOf(snapshot, id)) summaries.push_back(*summary);
   }
   return summaries;
 }

@@ -2,8 +2,7 @@
 
 #include <geometry_msgs/PoseStamped.h>
 
-#include <algorithm>
-#include <tuple>
+#include <optional>
 #include <utility>
 
 #include "rovio_sfm/report/level_session.h"
@@ -16,48 +15,89 @@
 namespace rovio_sfm {
 namespace {
 
-std::string TopicOfCloudApart(MapId id) { return topics::kCloudPrefix + std::to_string(id.value); }
+constexpr bool kLatched = true;
+constexpr CloudPlace kRootCloud = {true, {}};
+
+std::string TopicOf(const CloudPlace& place) {
+  return place.is_root ? topics::kCloud : topics::kCloudPrefix + std::to_string(place.map.value);
+}
 
 }  // namespace
 
 MapPublisher::MapPublisher(ros::NodeHandle node, double cloud_period_s)
     : node_(node), cloud_period_s_(cloud_period_s) {
+  shown_.snapshot = shown_clouds_.snapshot = std::make_shared<const MapSnapshot>();
   pose_ = node_.advertise<geometry_msgs::PoseStamped>(topics::kPose, topics::kPoseQueue);
   keyframe_pose_ =
       node_.advertise<geometry_msgs::PoseStamped>(topics::kKeyframePose, topics::kPoseQueue);
-  OutputOf<sensor_msgs::PointCloud2>(topics::kCloud);
-  OutputOf<visualization_msgs::MarkerArray>(topics::kCameras);
-  OutputOf<MapStatus>(topics::kMapStatus);
+  status_ = node_.advertise<MapStatus>(topics::kMapStatus, topics::kMapQueue, kLatched);
+  cameras_ = node_.advertise<visualization_msgs::MarkerArray>(
+      topics::kCameras, topics::kCamerasQueue,
+      [this](const ros::SingleSubscriberPublisher& listener) {
+        listener.publish(CameraMarkers(*shown_.snapshot, *shown_.merges, ros::Time::now()));
+      });
+  CloudOutput(kRootCloud);
 }
 
+// A new listener is sent the message that is latched, and the newest where that is another.
 template <typename Message>
-MapPublisher::Output& MapPublisher::OutputOf(const std::string& topic) {
-  Output& output = outputs_[topic];
+void MapPublisher::Advertise(const std::string& topic, std::function<Message()> newest,
+                             Output* output) {
+  const auto refresh = [this, newest = std::move(newest),
+                        output](const ros::SingleSubscriberPublisher&) {
+    if (output->is_stale) Send(newest, output);
+  };
+  output->publisher =
+      node_.advertise<Message>(topic, topics::kMapQueue, refresh, ros::SubscriberStatusCallback(),
+                               ros::VoidConstPtr(), kLatched);
+}
+
+// Makes the message only if somebody listens.
+template <typename Message>
+void MapPublisher::Send(const std::function<Message()>& newest, Output* output) {
+  output->is_stale = output->publisher.getNumSubscribers() == 0;
+  if (!output->is_stale) output->publisher.publish(newest());
+}
+
+MapPublisher::Output& MapPublisher::PathOutput(SessionId id) {
+  Output& output = paths_[id];
   if (!output.publisher) {
-    output.publisher = node_.advertise<Message>(topic, topics::kMapQueue, true);
+    Advertise<nav_msgs::Path>(
+        topics::kPathPrefix + std::to_string(id.value), [this, id] { return NewestPath(id); },
+        &output);
   }
   return output;
 }
 
-bool MapPublisher::IsDue(Output* output, uint64_t version) const {
-  if (output->version == version || output->publisher.getNumSubscribers() == 0) return false;
-  output->version = version;
-  return true;
+MapPublisher::Output& MapPublisher::CloudOutput(const CloudPlace& place) {
+  Output& output = clouds_[place];
+  if (!output.publisher) {
+    Advertise<sensor_msgs::PointCloud2>(
+        TopicOf(place), [this, place] { return NewestCloud(place); }, &output);
+  }
+  return output;
 }
 
-// Whether a session's gauge is another than at the last call.
-bool MapPublisher::TakeGauges(const MapSnapshot& snapshot) {
-  std::vector<Gauge> gauges;
-  for (const SessionSnapshot& session : snapshot.sessions) {
-    const double metres_per_unit = session.scale ? session.scale->metres_per_unit : 0.0;
-    gauges.push_back({session.id, session.map, session.gauge_revision, metres_per_unit});
+// Empty for a session that is gone.
+nav_msgs::Path MapPublisher::NewestPath(SessionId id) const {
+  const SessionSnapshot* session = FindSession(*shown_.snapshot, id);
+  SessionSnapshot nothing;
+  nothing.id = id;
+  return PathMessage(session == nullptr ? nothing : *session, ros::Time::now());
+}
+
+// Empty where no map is shown.
+sensor_msgs::PointCloud2 MapPublisher::NewestCloud(const CloudPlace& place) const {
+  const MapSnapshot& snapshot = *shown_clouds_.snapshot;
+  const SessionSnapshot* root = FindRoot(snapshot);
+  std::optional<LevelMap> map;
+  if (root != nullptr && place.is_root) map = FindLevelMap(snapshot, root->map);
+  if (root != nullptr && !place.is_root && !(root->map == place.map)) {
+    map = FindLevelMap(snapshot, place.map);
   }
-  const auto is_same = [](const Gauge& a, const Gauge& b) {
-    return std::tie(a.session, a.map, a.revision, a.metres_per_unit) ==
-           std::tie(b.session, b.map, b.revision, b.metres_per_unit);
-  };
-  const std::vector<Gauge> last = std::exchange(gauges_, gauges);
-  return !std::equal(last.begin(), last.end(), gauges.begin(), gauges.end(), is_same);
+  const SessionId first = map ? map->sessions.front().id : SessionId{place.map.value};
+  return CloudMessage(map.value_or(LevelMap()), place.is_root ? MapFrame() : SessionFrame(first),
+                      ros::Time::now());
 }
 
 void MapPublisher::PublishEdges(const MapPicture& picture, const IngestCounters& counters) {
@@ -66,73 +106,46 @@ void MapPublisher::PublishEdges(const MapPicture& picture, const IngestCounters&
   last_edges_ = now;
   const auto edges = MapEdges(picture, now);
   if (!edges.empty()) edges_.sendTransform(edges);
-  if (TakeGauges(*picture.snapshot)) PublishMap(picture, counters, true);
+  if (parts_.TakeGauges(picture)) PublishMap(picture, counters, true);
 }
 
 void MapPublisher::PublishMap(const MapPicture& picture, const IngestCounters& counters,
                               bool at_once) {
-  const ros::Time now = ros::Time::now();
-  PublishStatus(picture, counters);
-  PublishPaths(*picture.snapshot, now);
-  PublishCameras(picture, now);
-  const ros::SteadyTime steady_now = ros::SteadyTime::now();
-  if (!at_once && (steady_now - last_cloud_).toSec() < cloud_period_s_) return;
-  last_cloud_ = steady_now;
-  PublishClouds(*picture.snapshot, now);
+  if (const auto status = status_writer_.Write(picture, counters)) status_.publish(*status);
+  PublishSessions(picture);
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  if (!at_once && (now - last_cloud_).toSec() < cloud_period_s_) return;
+  last_cloud_ = now;
+  PublishClouds(picture);
 }
 
-void MapPublisher::PublishPaths(const MapSnapshot& snapshot, const ros::Time& now) {
-  for (const SessionSnapshot& session : snapshot.sessions) {
-    Output& output =
-        OutputOf<nav_msgs::Path>(topics::kPathPrefix + std::to_string(session.id.value));
-    if (IsDue(&output, snapshot.version)) output.publisher.publish(PathMessage(session, now));
+// What changed is taken though nobody may listen: `shown_` is what all listeners of the cameras
+// have.
+void MapPublisher::PublishSessions(const MapPicture& picture) {
+  const SessionChanges changes = parts_.TakeSessions(picture);
+  shown_ = picture;
+  for (const auto& ids : {changes.gone, changes.sessions}) {
+    for (const SessionId id : ids) {
+      Send<nav_msgs::Path>([this, id] { return NewestPath(id); }, &PathOutput(id));
+    }
   }
-}
-
-void MapPublisher::PublishCameras(const MapPicture& picture, const ros::Time& now) {
-  Output& output = OutputOf<visualization_msgs::MarkerArray>(topics::kCameras);
-  if (!IsDue(&output, picture.snapshot->version)) return;
-  output.publisher.publish(CameraMarkers(*picture.snapshot, picture.merges, now));
+  if (cameras_.getNumSubscribers() == 0) return;
+  const auto markers =
+      ChangedCameraMarkers(*picture.snapshot, *picture.merges, changes, ros::Time::now());
+  if (!markers.markers.empty()) cameras_.publish(markers);
 }
 
 // The root map goes to `cloud`, every other to a topic and frame of its own, which is cleared when
 // the map has joined another.
-void MapPublisher::PublishClouds(const MapSnapshot& snapshot, const ros::Time& now) {
-  const SessionSnapshot* root = FindRoot(snapshot);
-  if (root != nullptr) PublishCloud(snapshot, root->map, topics::kCloud, now);
-  std::set<MapId> apart;
-  for (const SessionSnapshot& session : snapshot.sessions) {
-    if (root == nullptr || !(session.map == root->map)) apart.insert(session.map);
+void MapPublisher::PublishClouds(const MapPicture& picture) {
+  const CloudChanges changes = parts_.TakeClouds(picture);
+  shown_clouds_ = picture;
+  for (const auto& places : {changes.gone, changes.clouds}) {
+    for (const CloudPlace& place : places) {
+      Send<sensor_msgs::PointCloud2>([this, place] { return NewestCloud(place); },
+                                     &CloudOutput(place));
+    }
   }
-  const std::set<MapId> last = std::exchange(apart_, apart);
-  for (const MapId id : apart) {
-    PublishCloud(snapshot, id, TopicOfCloudApart(id), now);
-  }
-  for (const MapId id : last) {
-    if (apart.count(id) > 0) continue;
-    sensor_msgs::PointCloud2 nothing;
-    nothing.header.frame_id = SessionFrame(SessionId{id.value});
-    nothing.header.stamp = now;
-    OutputOf<sensor_msgs::PointCloud2>(TopicOfCloudApart(id)).publisher.publish(nothing);
-  }
-}
-
-void MapPublisher::PublishCloud(const MapSnapshot& snapshot, MapId id, const std::string& topic,
-                                const ros::Time& now) {
-  Output& output = OutputOf<sensor_msgs::PointCloud2>(topic);
-  if (!IsDue(&output, snapshot.version)) return;
-  const std::optional<LevelMap> map = FindLevelMap(snapshot, id);
-  if (!map) return;
-  const std::string frame =
-      topic == topics::kCloud ? MapFrame() : SessionFrame(map->sessions.front().id);
-  output.publisher.publish(CloudMessage(*map, frame, now));
-}
-
-void MapPublisher::PublishStatus(const MapPicture& picture, const IngestCounters& counters) {
-  Output& output = OutputOf<MapStatus>(topics::kMapStatus);
-  if (output.version == picture.snapshot->version) return;  // latched: also when nobody listens
-  output.version = picture.snapshot->version;
-  output.publisher.publish(ToMessage(picture, counters));
 }
 
 void MapPublisher::PublishPose(const MapPicture& picture, SessionId id, uint32_t index) {

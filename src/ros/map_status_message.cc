@@ -1,6 +1,8 @@
 #include "rovio_sfm/ros/map_status_message.h"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "rovio_sfm/ros/conversions.h"
@@ -29,6 +31,19 @@ uint32_t CountVerdict(const std::vector<MergeReport>& merges, MergeVerdict verdi
                     [&](const MergeReport& report) { return report.verdict == verdict; }));
 }
 
+void AddCounters(const MapPicture& picture, const IngestCounters& counters, MapStatus* status) {
+  status->num_events = static_cast<uint32_t>(picture.num_events);
+  status->num_refused = static_cast<uint32_t>(counters.refused + picture.counters.refused_events);
+  status->num_missing = static_cast<uint32_t>(picture.counters.missing_events);
+  status->num_dropped = static_cast<uint32_t>(counters.dropped);
+  status->num_gaps_lost = static_cast<uint32_t>(counters.lost_gaps);
+  status->num_place_matches = static_cast<uint32_t>(picture.num_place_matches);
+  status->num_place_matches_waiting = static_cast<uint32_t>(picture.num_matches_waiting);
+  status->num_place_matches_repeated = static_cast<uint32_t>(picture.num_matches_repeated);
+  status->num_place_matches_refused = static_cast<uint32_t>(counters.refused_matches);
+  status->num_place_matches_dropped = static_cast<uint32_t>(counters.dropped_matches);
+}
+
 void AddMerges(const std::vector<MergeReport>& merges, MapStatus* status) {
   status->num_merges_accepted = CountVerdict(merges, MergeVerdict::kAccepted);
   status->num_merges_provisional = CountVerdict(merges, MergeVerdict::kProvisional);
@@ -40,22 +55,49 @@ void AddMerges(const std::vector<MergeReport>& merges, MapStatus* status) {
 
 }  // namespace
 
-MapStatus ToMessage(const MapPicture& picture, const IngestCounters& counters) {
+bool operator==(const IngestCounters& a, const IngestCounters& b) {
+  const auto fields_of = [](const IngestCounters& c) {
+    return std::tie(c.refused, c.dropped, c.lost_gaps, c.refused_matches, c.dropped_matches);
+  };
+  return fields_of(a) == fields_of(b);
+}
+
+std::optional<MapStatus> MapStatusWriter::Write(const MapPicture& picture,
+                                                const IngestCounters& counters) {
+  if (number_ == picture.number && counters_ == counters) return std::nullopt;
+  number_ = picture.number;
+  counters_ = counters;
   MapStatus status;
   status.header.frame_id = MapFrame();
   status.header.stamp = NewestStamp(*picture.snapshot);
-  status.sessions = SessionSummaries(*picture.snapshot);
-  status.maps = MapSummaries(*picture.snapshot);
-  status.num_events = static_cast<uint32_t>(picture.num_events);
-  status.num_refused = static_cast<uint32_t>(counters.refused + picture.counters.refused_events);
-  status.num_missing = static_cast<uint32_t>(picture.counters.missing_events);
-  status.num_dropped = static_cast<uint32_t>(counters.dropped);
-  status.num_place_matches = static_cast<uint32_t>(picture.num_place_matches);
-  status.num_place_matches_waiting = static_cast<uint32_t>(picture.num_matches_waiting);
-  status.num_place_matches_repeated = static_cast<uint32_t>(picture.num_matches_repeated);
-  status.num_place_matches_refused = static_cast<uint32_t>(counters.refused_matches);
-  AddMerges(picture.merges, &status);
+  WriteSessions(picture, &status);
+  WriteMaps(picture, &status);
+  AddCounters(picture, counters, &status);
+  AddMerges(*picture.merges, &status);
   return status;
+}
+
+void MapStatusWriter::WriteSessions(const MapPicture& picture, MapStatus* status) {
+  const auto last = std::exchange(sessions_, {});
+  for (const SessionSnapshot& session : picture.snapshot->sessions) {
+    const SessionStamp stamp = StampOf(picture, session);
+    const auto before = last.find(session.id);
+    const bool is_same = before != last.end() && before->second.stamp == stamp;
+    const SessionSummary summary = is_same ? before->second.summary : SummaryOf(session);
+    sessions_[session.id] = {stamp, summary};
+    status->sessions.push_back(summary);
+  }
+}
+
+void MapStatusWriter::WriteMaps(const MapPicture& picture, MapStatus* status) {
+  const auto last = std::exchange(maps_, {});
+  for (const auto& [id, stamp] : MapStamps(picture)) {
+    const auto before = last.find(id);
+    const bool is_same = before != last.end() && before->second.stamp == stamp;
+    const auto summary = is_same ? before->second.summary : SummaryOf(*picture.snapshot, id);
+    maps_[id] = {stamp, summary};
+    if (summary) status->maps.push_back(*summary);
+  }
 }
 
 }  // namespace rovio_sfm

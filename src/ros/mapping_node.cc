@@ -4,19 +4,39 @@
 
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/export_map.h"
-#include "rovio_sfm/ros/fetch_frames.h"
 #include "rovio_sfm/ros/place_match_message.h"
 #include "rovio_sfm/ros/topics.h"
 
 namespace rovio_sfm {
 namespace {
 
+constexpr size_t kMaxHeldFrames = 200;  // of a robot, while what is missing before them is fetched
 constexpr size_t kHistoryEvents = 100000;
 constexpr size_t kHistoryBytes = 256u << 20;
 constexpr double kEdgePeriodS = 0.05;
 constexpr double kMapPeriodS = 0.25;
 constexpr double kWarnPeriodS = 10.0;
 constexpr uint32_t kServiceThreads = 2;  // one call may wait for the worker, another answer
+
+// In the order of MappingNode::Lane; no kind of work pushes out another. Frame events dropped are
+// counted, and fetched from their frontend; place matches refused are counted, with a warning; who
+// makes a call that is refused is told. Answers: one for each robot. The clock needs one.
+std::vector<LaneOptions> WorkerLanes() {
+  return {{500, LaneFull::kDropOldest},
+          {5000, LaneFull::kRefuse, 64u << 20},
+          {16, LaneFull::kRefuse},
+          {64, LaneFull::kRefuse},
+          {1, LaneFull::kRefuse}};
+}
+
+// What a match takes in memory, about.
+size_t SizeOf(const PlaceMatch& match) {
+  size_t num_bytes = sizeof(PlaceMatch);
+  for (const OverlapPair& pair : match.pairs) {
+    num_bytes += sizeof(OverlapPair) + pair.inliers.size() * sizeof(FeatureMatch);
+  }
+  return num_bytes;
+}
 
 double SteadySeconds() { return ros::SteadyTime::now().toSec(); }
 
@@ -29,23 +49,31 @@ MappingNode::MappingNode(const MappingNodeOptions& options, ros::NodeHandle node
       engine_(options.mapper),
       publisher_(node, options.cloud_period_s),
       history_(kHistoryEvents, kHistoryBytes),
+      fetcher_(node,
+               [this](const GapFetch& fetch, std::vector<FetchedFrame> frames) {
+                 OnAnswer(fetch, std::move(frames));
+               }),
+      gap_filler_(
+          {options.fetch_timeout_s, kMaxHeldFrames},
+          [this](const FrameId& id) { return engine_.NextIndex(id); },
+          [this](const GapFetch& fetch) { fetcher_.Fetch(fetch); }),
       service_spinner_(kServiceThreads, &service_queue_),
       diagnostics_(node, private_node),
-      worker_(kJobQueue, WhenFull::kDropOldest, [](const Job& job) { job(); }),
-      frame_subscriber_(
-          node_, options.robots,
-          [this](const FrameEventMsg::ConstPtr& message, FrameEvent event) {
-            Push([this, message, event = std::move(event)] { Ingest(message, event); });
-          }),
+      worker_(WorkerLanes(), [](const Job& job) { job(); }),
+      frame_subscriber_(node_, options.robots,
+                        [this](const FrameEventMsg::ConstPtr& message, FrameEvent event) {
+                          OnFrame(message, std::move(event));
+                        }),
       match_subscriber_(node_.subscribe(topics::kPlaceMatches, topics::kPlaceMatchesQueue,
                                         &MappingNode::OnPlaceMatch, this)) {
-  for (const std::string& robot : options_.robots) {
-    frontends_[robot] =
-        node_.serviceClient<rovio_sfm::GetFrames>("/" + robot + "/" + topics::kGetFrames);
-  }
   diagnostics_.setHardwareID("none");
   diagnostics_.add("frames to maps", this, &MappingNode::Diagnose);
   AdvertiseServices();
+  StartTimers();
+  service_spinner_.start();
+}
+
+void MappingNode::StartTimers() {
   edge_timer_ =
       node_.createWallTimer(ros::WallDuration(kEdgePeriodS), [this](const ros::WallTimerEvent&) {
         publisher_.PublishEdges(engine_.Picture(), Counters());
@@ -53,65 +81,93 @@ MappingNode::MappingNode(const MappingNodeOptions& options, ros::NodeHandle node
   map_timer_ =
       node_.createWallTimer(ros::WallDuration(kMapPeriodS), [this](const ros::WallTimerEvent&) {
         publisher_.PublishMap(engine_.Picture(), Counters(), false);
+        // The time of now: answers that are queued already are taken before it is looked at.
+        worker_.Push(kClockLane, [this, now_s = SteadySeconds()] {
+          gap_filler_.CheckTime(now_s);
+          CountGaps();
+        });
       });
-  service_spinner_.start();
 }
 
 MappingNode::~MappingNode() {
   frame_subscriber_.Stop();
   match_subscriber_.shutdown();
-  service_spinner_.stop();
-  ROS_INFO_STREAM("ending: " << worker_.NumQueued() << " events are still queued");
+  ROS_INFO_STREAM("ending: " << worker_.NumQueued(kFrameLane) << " events are still queued");
   give_up_s_ = SteadySeconds() + options_.drain_s;
+  fetcher_.Stop();
+  service_spinner_.stop();
   worker_.Finish();
-  if (num_given_up_ > 0) ROS_WARN_STREAM(num_given_up_ << " queued events were not mapped");
+  gap_filler_.EndAllWaits(SteadySeconds());
+  if (num_late_events_ > 0) ROS_WARN_STREAM(num_late_events_ << " queued events were not mapped");
   engine_.Finish();
   publisher_.PublishMap(engine_.Picture(), Counters(), true);
   if (!options_.output_dir.empty()) WriteFinalMap();
 }
 
-void MappingNode::OnPlaceMatch(const PlaceMatchMsg::ConstPtr& message) {
-  std::string error;
-  std::optional<PlaceMatch> match = FromMessage(*message, &error);
-  if (match) return Push([this, match = std::move(*match)] { engine_.Add(match); });
-  ++num_refused_matches_;
-  ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "place match refused: " << error);
-}
-
-void MappingNode::Push(Job job) {
-  worker_.Push([this, job = std::move(job)] {
-    if (give_up_s_ > 0.0 && SteadySeconds() > give_up_s_) {
-      ++num_given_up_;
-    } else {
-      job();
-    }
+void MappingNode::OnFrame(const FrameEventMsg::ConstPtr& message, FrameEvent event) {
+  worker_.Push(kFrameLane, [this, message, event = std::move(event)] {
+    gap_filler_.Add(Arrived(message, event), SteadySeconds());
+    CountGaps();
   });
 }
 
+void MappingNode::OnPlaceMatch(const PlaceMatchMsg::ConstPtr& message) {
+  std::string error;
+  std::optional<PlaceMatch> match = FromMessage(*message, &error);
+  if (!match) {
+    ++num_refused_matches_;
+    ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "place match refused: " << error);
+    return;
+  }
+  const size_t num_bytes = SizeOf(*match);
+  auto add = [this, match = std::move(*match)] {
+    if (IsTimeUp()) {
+      ++num_late_matches_;
+    } else {
+      engine_.Add(match);
+    }
+  };
+  if (!worker_.Push(kMatchLane, std::move(add), num_bytes)) {
+    ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "place match dropped: " << worker_.NumQueued(kMatchLane)
+                                                                   << " wait to be judged");
+  }
+}
+
+void MappingNode::OnAnswer(const GapFetch& fetch, std::vector<FetchedFrame> frames) {
+  worker_.Push(kAnswerLane, [this, fetch, frames = std::move(frames)] {
+    std::vector<ArrivedFrame> found;
+    for (const FetchedFrame& frame : frames) found.push_back(Arrived(frame.message, frame.event));
+    gap_filler_.TakeAnswer(fetch.ticket, found, SteadySeconds());
+    CountGaps();
+  });
+}
+
+ArrivedFrame MappingNode::Arrived(const FrameEventMsg::ConstPtr& message, const FrameEvent& event) {
+  return {event.id, [this, message, event] { Map(message, event); }};
+}
+
+void MappingNode::CountGaps() {
+  num_lost_gaps_ = gap_filler_.num_given_up();
+  num_held_ = gap_filler_.NumHeld();
+}
+
+bool MappingNode::IsTimeUp() const { return give_up_s_ > 0.0 && SteadySeconds() > give_up_s_; }
+
 IngestCounters MappingNode::Counters() const {
-  return {frame_subscriber_.NumRefused(), worker_.NumDropped() + num_given_up_,
-          num_refused_matches_};
-}
-
-void MappingNode::Ingest(const FrameEventMsg::ConstPtr& message, const FrameEvent& event) {
-  FetchMissing(event.id);
-  Map(message, event);
-}
-
-// Asks the frontend for what lies between the last event and this one; what it no longer has stays
-// missing, and the mapper counts it.
-void MappingNode::FetchMissing(const FrameId& id) {
-  const uint32_t next = engine_.NextIndex(id);
-  if (next >= id.index) return;
-  ros::ServiceClient& frontend = frontends_[id.drive.robot];
-  FetchFrames([&](auto& request, auto& response) { return frontend.call(request, response); },
-              {id.drive, next}, id.index,
-              [this](const FrameEventMsg& message, const FrameEvent& event) {
-                Map(boost::make_shared<FrameEventMsg>(message), event);
-              });
+  IngestCounters counters;
+  counters.refused = frame_subscriber_.NumRefused();
+  counters.dropped = worker_.NumDropped(kFrameLane) + num_late_events_;
+  counters.lost_gaps = num_lost_gaps_;
+  counters.refused_matches = num_refused_matches_;
+  counters.dropped_matches = worker_.NumDropped(kMatchLane) + num_late_matches_;
+  return counters;
 }
 
 void MappingNode::Map(const FrameEventMsg::ConstPtr& message, const FrameEvent& event) {
+  if (IsTimeUp()) {
+    ++num_late_events_;
+    return;
+  }
   const MapperReport report = engine_.Add(event);
   if (report.outcome == MapperOutcome::kRefused) {
     ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "frame refused: " << report.reason);
@@ -134,15 +190,19 @@ void MappingNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) 
     status.summary(Level::OK, "frames are mapped");
   }
   status.add("events", picture.num_events);
-  status.add("events queued", worker_.NumQueued());
+  status.add("events queued", worker_.NumQueued(kFrameLane));
+  status.add("events held, missing ones are fetched", num_held_.load());
   status.add("events dropped, queue full", counters.dropped);
   status.add("events refused", counters.refused + picture.counters.refused_events);
   status.add("events missing", picture.counters.missing_events);
+  status.add("gaps lost, frontend silent", counters.lost_gaps);
   status.add("place matches", picture.num_place_matches);
   status.add("place matches waiting", picture.num_matches_waiting);
   status.add("place matches repeated", picture.num_matches_repeated);
   status.add("place matches refused", counters.refused_matches);
-  status.add("overlaps judged", picture.merges.size());
+  status.add("place matches queued", worker_.NumQueued(kMatchLane));
+  status.add("place matches dropped, queue full", counters.dropped_matches);
+  status.add("overlaps judged", picture.merges->size());
   status.add("sessions", sessions.size());
   status.add("sessions lost", picture.counters.lost_sessions);
   status.add("keyframes", picture.counters.keyframes);

@@ -11,7 +11,9 @@
 namespace rovio_sfm {
 namespace {
 
-constexpr char kDropped[] = "the call was dropped: too many frames are queued";
+constexpr char kDropped[] = "the call was refused: too many wait already, or the node ends";
+
+double SteadySeconds() { return ros::SteadyTime::now().toSec(); }
 
 }  // namespace
 
@@ -45,29 +47,35 @@ bool MappingNode::GetFrames(GetFramesRequest& request, GetFramesResponse& respon
 }
 
 bool MappingNode::StartSession(StartSessionRequest& request, StartSessionResponse& response) {
-  uint32_t session = 0;
-  response.status = CloseSession(request.robot, &session);
+  std::optional<ClosedSession> closed;
+  response.status = CloseSession(request.robot, &closed);
   return true;
 }
 
 bool MappingNode::FinishSession(FinishSessionRequest& request, FinishSessionResponse& response) {
-  response.status = CloseSession(request.robot, &response.session);
+  std::optional<ClosedSession> closed;
+  response.status = CloseSession(request.robot, &closed);
+  if (!closed) return true;
+  if (closed->has_frames) {
+    response.session = closed->id.value;
+  } else {
+    response.status = FailedPrecondition("the newest session of " + request.robot + ", " +
+                                         std::to_string(closed->id.value) + ", has no frames yet");
+  }
   return true;
 }
 
-Status MappingNode::CloseSession(const std::string& robot, uint32_t* session) {
+Status MappingNode::CloseSession(const std::string& robot, std::optional<ClosedSession>* closed) {
   std::string error;
   if (!IsValidRobotName(robot, &error)) return InvalidArgument(error);
-  bool is_known = false;
   const auto close = [&] {
-    const MapPicture picture = engine_.Picture();
-    const auto anchor = picture.anchors.find(robot);
-    if (anchor != picture.anchors.end()) *session = anchor->second.session.value;
-    is_known = engine_.FinishSession(robot);
+    gap_filler_.EndWait(robot, SteadySeconds());  // frames that came before the call belong to it
+    *closed = engine_.FinishSession(robot);
   };
-  if (!RunAndWait(close, &worker_)) return Internal(kDropped);
-  if (!is_known) return NotFound("robot " + robot + " has no session that runs");
-  return Ok("the session of " + robot + " is finished; its next frame begins another");
+  if (!RunAndWait(close, kCallLane, &worker_)) return Internal(kDropped);
+  if (!*closed) return NotFound("robot " + robot + " has no session that runs");
+  return Ok("session " + std::to_string((*closed)->id.value) + " of " + robot +
+            " is finished; its next frame begins another");
 }
 
 bool MappingNode::ExportMap(ExportMapRequest& request, ExportMapResponse& response) {
@@ -81,22 +89,24 @@ bool MappingNode::Reset(ResetRequest& request, ResetResponse& response) {
     return true;
   }
   const auto reset = [this] {
+    gap_filler_.EndAllWaits(SteadySeconds());
     engine_.Reset();
     history_.Clear();
   };
-  response.status = RunAndWait(reset, &worker_) ? Ok("all maps are forgotten") : Internal(kDropped);
+  response.status =
+      RunAndWait(reset, kCallLane, &worker_) ? Ok("all maps are forgotten") : Internal(kDropped);
   return true;
 }
 
 bool MappingNode::MergeSessions(MergeSessionsRequest& request, MergeSessionsResponse& response) {
   const auto merge = [&] { response = AnswerMerge(request, &engine_); };
-  if (!RunAndWait(merge, &worker_)) response.status = Internal(kDropped);
+  if (!RunAndWait(merge, kCallLane, &worker_)) response.status = Internal(kDropped);
   return true;
 }
 
 bool MappingNode::UnmergeSession(UnmergeSessionRequest& request, UnmergeSessionResponse& response) {
   const auto unmerge = [&] { response = AnswerUnmerge(request, &engine_); };
-  if (!RunAndWait(unmerge, &worker_)) response.status = Internal(kDropped);
+  if (!RunAndWait(unmerge, kCallLane, &worker_)) response.status = Internal(kDropped);
   return true;
 }
 

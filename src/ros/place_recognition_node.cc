@@ -20,6 +20,12 @@ constexpr size_t kBytesPerMb = 1u << 20;
 constexpr size_t kMaxTold = 200;         // matches, some kB each
 constexpr uint32_t kServiceThreads = 1;  // calls wait for the worker one after the other
 
+// In the order of PlaceRecognitionNode::Lane. Frames dropped are counted, and fetched again; a call
+// that is refused says so.
+std::vector<LaneOptions> WorkerLanes() {
+  return {{500, LaneFull::kDropOldest}, {16, LaneFull::kRefuse}};
+}
+
 double SteadySeconds() { return ros::SteadyTime::now().toSec(); }
 
 }  // namespace
@@ -40,9 +46,9 @@ PlaceRecognitionNode::PlaceRecognitionNode(const PlaceRecognitionNodeOptions& op
       mapping_sessions_(node_.serviceClient<rovio_sfm::ListSessions>(topics::kListSessions)),
       service_spinner_(kServiceThreads, &service_queue_),
       diagnostics_(node, private_node),
-      worker_(kJobQueue, WhenFull::kDropOldest, [](const Job& job) { job(); }),
+      worker_(WorkerLanes(), [](const Job& job) { job(); }),
       subscriber_(node_, options.robots, [this](const FrameEventMsg::ConstPtr&, FrameEvent event) {
-        worker_.Push([this, event = std::move(event)] { Ingest(event); });
+        worker_.Push(kFrameLane, [this, event = std::move(event)] { Ingest(event); });
       }) {
   for (const std::string& robot : options_.robots) {
     frontends_[robot] =
@@ -50,7 +56,7 @@ PlaceRecognitionNode::PlaceRecognitionNode(const PlaceRecognitionNodeOptions& op
   }
   diagnostics_.setHardwareID("none");
   diagnostics_.add("frames to places", this, &PlaceRecognitionNode::Diagnose);
-  worker_.Push([this] { FetchKnownDrives(); });
+  worker_.Push(kCallLane, [this] { FetchKnownDrives(); });
   AdvertiseServices();
   service_spinner_.start();
 }
@@ -168,7 +174,7 @@ void PlaceRecognitionNode::PublishStatus(int64_t stamp_ns, double query_s) {
   status.last_refusal = recognizer_.last_refusal();
   status.num_events = num_events_;
   status.num_refused = subscriber_.NumRefused() + recognizer_.counters().out_of_order;
-  status.num_dropped = worker_.NumDropped();
+  status.num_dropped = worker_.NumDropped(kFrameLane);
   status.num_fetched = num_fetched_;
   status.num_missing = num_missing_;
   status.num_drives = static_cast<uint32_t>(recognizer_.index().NumDrives());
@@ -196,8 +202,8 @@ void PlaceRecognitionNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper&
     status.summary(Level::OK, "places are recognised");
   }
   status.add("events", last.num_events);
-  status.add("events queued", worker_.NumQueued());
-  status.add("events dropped, queue full", worker_.NumDropped());
+  status.add("events queued", worker_.NumQueued(kFrameLane));
+  status.add("events dropped, queue full", worker_.NumDropped(kFrameLane));
   status.add("events refused", subscriber_.NumRefused());
   status.add("events fetched", last.num_fetched);
   status.add("events missing", last.num_missing);

@@ -12,7 +12,7 @@
 namespace rovio_sfm {
 namespace {
 
-constexpr char kDropped[] = "the call was dropped: too many frames are queued";
+constexpr char kDropped[] = "the call was refused: too many wait already, or the node ends";
 
 }  // namespace
 
@@ -52,7 +52,7 @@ bool PlaceRecognitionNode::FindOverlaps(FindOverlapsRequest& request,
         matches = Overlaps(*a, *b, &num_compared);
         if (request.publish) Publish(matches, 0);
       },
-      &worker_);
+      kCallLane, &worker_);
   for (const PlaceMatch& match : matches) response.matches.push_back(ToMessage(match, 0));
   response.status = has_run ? Ok(std::to_string(num_compared) + " keyframes compared, " +
                                  std::to_string(matches.size()) + " matches")
@@ -77,7 +77,7 @@ bool PlaceRecognitionNode::QueryImage(QueryImageRequest& request, QueryImageResp
   const auto features = FindFeatures(decoded.bgr, *camera, options_.frontend);
   std::vector<PlaceMatch> matches;
   const bool has_run =
-      RunAndWait([&] { matches = recognizer_.QueryImage(features, *camera); }, &worker_);
+      RunAndWait([&] { matches = recognizer_.QueryImage(features, *camera); }, kCallLane, &worker_);
   for (const PlaceMatch& match : matches) response.matches.push_back(ToMessage(match, 0));
   response.status =
       has_run ? Ok(std::to_string(matches.size()) + " places match") : Internal(kDropped);

@@ -1,6 +1,20 @@
 #include "rovio_sfm/scene/merge_report.h"
 
+#include <tuple>
+
 namespace rovio_sfm {
+namespace {
+
+auto FieldsOf(const MergeReport& r) {
+  return std::tie(r.id, r.kind, r.verdict, r.reason, r.warning, r.query, r.other, r.query_session,
+                  r.other_session, r.num_candidates, r.num_matches, r.num_inliers, r.num_common,
+                  r.by_resection, r.query_from_other, r.sigma_log_scale, r.num_expected,
+                  r.num_found, r.num_links, r.error_before_px, r.error_after_px);
+}
+
+}  // namespace
+
+bool operator==(const MergeReport& a, const MergeReport& b) { return FieldsOf(a) == FieldsOf(b); }
 
 const char* ToString(MergeKind kind) {
   switch (kind) {

@@ -55,24 +55,68 @@ TEST(MappingEngine, FinishingAnUnknownRobotSaysSo) {
   EXPECT_FALSE(engine.FinishSession("rovio9"));
 }
 
+TEST(MappingEngine, FinishingNamesTheSessionThatWasClosed) {
+  MappingEngine engine((MapOptions()));
+  const SyntheticDrive drive = MakeSyntheticDrive({});
+  for (const FrameEvent& event : drive.events) engine.Add(event);
+  const auto closed = engine.FinishSession(drive.events[0].id.drive.robot);
+  ASSERT_TRUE(closed);
+  EXPECT_EQ(closed->id.value, 1u);
+  EXPECT_TRUE(closed->has_frames);
+  EXPECT_FALSE(engine.FinishSession(drive.events[0].id.drive.robot));
+}
+
+TEST(MappingEngine, FinishingALostRobotDoesNotNameTheSessionBefore) {
+  SyntheticDriveOptions options;
+  options.blind = {9, 10, 11, 12};
+  MappingEngine engine((MapOptions()));
+  const SyntheticDrive drive = MakeSyntheticDrive(options);
+  for (size_t i = 0; i < 13; ++i) engine.Add(drive.events[i]);
+  const auto sessions = engine.Picture().snapshot->sessions;
+  ASSERT_EQ(sessions.size(), 2u);
+  ASSERT_EQ(sessions[0].state, SessionState::kLost);
+  ASSERT_EQ(sessions[1].state, SessionState::kBootstrapping);
+  const auto closed = engine.FinishSession(drive.events[0].id.drive.robot);
+  ASSERT_TRUE(closed);
+  EXPECT_EQ(closed->id.value, 2u);
+  EXPECT_FALSE(closed->has_frames);
+  EXPECT_EQ(engine.Picture().snapshot->sessions[0].state, SessionState::kLost);
+}
+
+TEST(MappingEngine, SharesTheReportsAsLongAsTheyAreTheSame) {
+  const TwoDrives two = MakeTwoDrives();
+  MappingEngine engine((MapOptions()));
+  engine.Add(two.a[0]);
+  const MapPicture first = engine.Picture();
+  engine.Add(TrueOverlap(two, 8, 8));
+  EXPECT_EQ(engine.Picture().merges, first.merges);
+  EXPECT_GT(engine.Picture().number, first.number);
+  for (const FrameEvent& event : two.a) engine.Add(event);
+  for (const FrameEvent& event : two.b) engine.Add(event);
+  EXPECT_NE(engine.Picture().merges, first.merges);
+  EXPECT_TRUE(first.merges->empty());
+}
+
 TEST(MappingEngine, ShowsTheMergeThatAPlaceMatchBrings) {
   const TwoDrives two = MakeTwoDrives();
   MappingEngine engine((MapOptions()));
   engine.Add(TrueOverlap(two, 8, 8));  // waits: its drives are not known yet
   EXPECT_EQ(engine.Picture().num_place_matches, 1u);
-  EXPECT_TRUE(engine.Picture().merges.empty());
+  EXPECT_TRUE(engine.Picture().merges->empty());
   for (const FrameEvent& event : two.a) engine.Add(event);
   for (const FrameEvent& event : two.b) engine.Add(event);
   const MapPicture picture = engine.Picture();
-  ASSERT_EQ(picture.merges.size(), 1u);
-  EXPECT_EQ(picture.merges[0].verdict, MergeVerdict::kAccepted) << picture.merges[0].reason;
+  ASSERT_EQ(picture.merges->size(), 1u);
+  EXPECT_EQ((*picture.merges)[0].verdict, MergeVerdict::kAccepted) << (*picture.merges)[0].reason;
   EXPECT_EQ(picture.snapshot->sessions[1].map.value, 1u);
 }
 
 TEST(MappingEngine, DriveGoesOnAfterReset) {
   MappingEngine engine((MapOptions()));
   engine.Add(Event("rovio1", 1, 0));
+  const uint64_t epoch = engine.Picture().epoch;
   engine.Reset();
+  EXPECT_NE(engine.Picture().epoch, epoch);
   EXPECT_NE(engine.Add(Event("rovio1", 1, 1)).outcome, MapperOutcome::kRefused);
 }
 

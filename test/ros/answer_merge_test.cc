@@ -58,7 +58,7 @@ TEST_F(AnswerMerge, SaysThatNoOverlapIsKnown) {
 
 TEST_F(AnswerMerge, UndoesAMergeAndMakesItAgain) {
   engine_.Add(TrueOverlap(two_, 8, 8));
-  ASSERT_TRUE(AreInOneMap()) << engine_.Picture().merges[0].reason;
+  ASSERT_TRUE(AreInOneMap()) << engine_.Picture().merges->at(0).reason;
   const UnmergeSessionResponse undone = Unmerge(2);
   EXPECT_EQ(undone.status.code, Status::OK);
   ASSERT_EQ(undone.undone.size(), 1u);

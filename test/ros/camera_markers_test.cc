@@ -69,5 +69,31 @@ TEST(CameraMarkers, EmptySnapshotOnlyClears) {
   EXPECT_EQ(CameraMarkers(MapSnapshot(), {}, ros::Time(3)).markers.size(), 1u);
 }
 
+TEST(CameraMarkers, ChangesHoldTheChangedSessionAlone) {
+  SessionChanges changes;
+  changes.sessions = {{2}};
+  const auto markers = ChangedCameraMarkers(*SmallMaps(2), {}, changes, ros::Time(3)).markers;
+  ASSERT_EQ(markers.size(), 1u);
+  EXPECT_EQ(markers[0].ns, "session_2");
+  EXPECT_EQ(markers[0].action, visualization_msgs::Marker::ADD);
+}
+
+TEST(CameraMarkers, ChangesDeleteWhatIsGone) {
+  SessionChanges changes;
+  changes.gone = {{3}};
+  changes.overlaps = {{1}, {3}};
+  const auto markers =
+      ChangedCameraMarkers(*SmallMaps(2), {Overlap(MergeVerdict::kUndone)}, changes, ros::Time(3))
+          .markers;
+  ASSERT_EQ(markers.size(), 5u);
+  EXPECT_EQ(markers[0].ns, "session_3");
+  EXPECT_EQ(markers[1].ns, "overlaps_1");
+  EXPECT_EQ(markers[2].ns, "provisional_overlaps_1");
+  EXPECT_EQ(markers[3].ns, "overlaps_3");
+  for (const auto& marker : markers) {
+    EXPECT_EQ(marker.action, visualization_msgs::Marker::DELETE) << marker.ns;
+  }
+}
+
 }  // namespace
 }  // namespace rovio_sfm

@@ -211,6 +211,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Refusal{"OtherVersion", "format_version", [](auto* m) { m->format_version = 2; }},
         Refusal{"OddRobotName", "robot", [](auto* m) { m->id.drive.robot = "../etc"; }},
+        Refusal{"LastIndex", "index", [](auto* m) { m->id.index = 4294967295u; }},
         Refusal{"UnknownKind", "kind", [](auto* m) { m->kind = 9; }},
         Refusal{"StampBeforeDrive", "header.stamp", [](auto* m) { m->header.stamp.sec = 5; }},
         Refusal{"LongName", "image_name", [](auto* m) { m->image_name.assign(300, 'a'); }},

@@ -16,5 +16,18 @@ TEST(MergeReport, NamesEveryVerdictAndKindDifferently) {
   EXPECT_EQ(verdicts.count("unknown") + kinds.count("unknown"), 0u);
 }
 
+TEST(MergeReport, IsAnotherWhenAnyFieldIs) {
+  MergeReport a, b;
+  EXPECT_TRUE(a == b);
+  b.error_after_px = 0.5;
+  EXPECT_FALSE(a == b);
+  b = a;
+  b.query_from_other.scale = 2.0;
+  EXPECT_FALSE(a == b);
+  b = a;
+  b.reason = "other";
+  EXPECT_FALSE(a == b);
+}
+
 }  // namespace
 }  // namespace rovio_sfm

@@ -21,13 +21,23 @@ struct OdometryAnchor {
   std::optional<OdometrySample> odometry;
 };
 
+// A session that was closed by request.
+struct ClosedSession {
+  SessionId id;
+  bool has_frames = false;  // false: it found no first two frames
+};
+
 // What the world may see of the mapping, at one moment.
 struct MapPicture {
+  uint64_t number = 0;  // raised with every picture
+  uint64_t epoch = 0;   // raised when all maps are forgotten: sessions are numbered anew
   std::shared_ptr<const MapSnapshot> snapshot;
   std::map<std::string, OdometryAnchor> anchors;  // by robot, of its newest registered frame
   MapperCounters counters;
   uint64_t num_events = 0;
-  std::vector<MergeReport> merges;  // by id
+  // By id; never null, and the same list as long as nothing in it changes.
+  std::shared_ptr<const std::vector<MergeReport>> merges =
+      std::make_shared<const std::vector<MergeReport>>();
   uint64_t num_place_matches = 0, num_matches_waiting = 0, num_matches_repeated = 0;
 };
 
@@ -51,8 +61,8 @@ class MappingEngine {
   // The first index of the event's drive that is missing before it; its own index if none is.
   uint32_t NextIndex(const FrameId& id) const;
 
-  // Closes the running session of a robot; false if none of its frames came yet.
-  bool FinishSession(const std::string& robot);
+  // Closes the running session of a robot, and says which that was; nothing if none runs.
+  std::optional<ClosedSession> FinishSession(const std::string& robot);
   void Finish();
   // Forgets all maps; drives that run go on in new sessions.
   void Reset();
@@ -69,6 +79,7 @@ class MappingEngine {
   };
 
   bool EnterDrive(const DriveId& drive, std::string* error);
+  std::optional<SessionId> RunningSession(const DriveId& drive) const;
   void Show() EXCLUDES(mutex_);
 
   MapOptions options_;
@@ -77,7 +88,7 @@ class MappingEngine {
   std::set<DriveId> ended_drives_;
   std::map<DriveId, uint32_t> next_indices_;
   std::map<std::string, OdometryAnchor> anchors_;
-  uint64_t num_events_ = 0, num_place_matches_ = 0;
+  uint64_t epoch_ = 0, num_events_ = 0, num_place_matches_ = 0;
   mutable Mutex mutex_;
   MapPicture picture_ GUARDED_BY(mutex_);
 };

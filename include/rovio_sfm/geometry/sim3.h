@@ -14,6 +14,11 @@ struct Sim3 {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 };
 
+inline bool operator==(const Sim3& x, const Sim3& y) {  // the same numbers
+  return x.scale == y.scale && x.rotation.coeffs() == y.rotation.coeffs() &&
+         x.translation == y.translation;
+}
+
 inline Sim3 Inverse(const Sim3& b_from_a) {
   const Eigen::Quaterniond inverse = b_from_a.rotation.conjugate();
   return {1.0 / b_from_a.scale, inverse, inverse * -b_from_a.translation / b_from_a.scale};

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "rovio_sfm/app/changed_parts.h"
 #include "rovio_sfm/scene/map_snapshot.h"
 #include "rovio_sfm/scene/merge_report.h"
 
@@ -16,5 +17,12 @@ namespace rovio_sfm {
 visualization_msgs::MarkerArray CameraMarkers(const MapSnapshot& snapshot,
                                               const std::vector<MergeReport>& merges,
                                               const ros::Time& stamp);
+
+// The same of the parts that changed alone; those that show nothing any more are deleted. Together
+// with what was sent before they make what CameraMarkers draws.
+visualization_msgs::MarkerArray ChangedCameraMarkers(const MapSnapshot& snapshot,
+                                                     const std::vector<MergeReport>& merges,
+                                                     const SessionChanges& changes,
+                                                     const ros::Time& stamp);
 
 }  // namespace rovio_sfm

@@ -4,7 +4,9 @@
 #include <rovio_sfm/MapStatus.h>
 #include <sensor_msgs/PointCloud2.h>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "rovio_sfm/app/mapping_engine.h"
 #include "rovio_sfm/report/level_map.h"
@@ -21,6 +23,8 @@ sensor_msgs::PointCloud2 CloudMessage(const LevelMap& map, const std::string& fr
 nav_msgs::Path PathMessage(const SessionSnapshot& session, const ros::Time& stamp);
 
 SessionSummary SummaryOf(const SessionSnapshot& session);
+// Nothing for a map without a frame.
+std::optional<MapSummary> SummaryOf(const MapSnapshot& snapshot, MapId id);
 std::vector<SessionSummary> SessionSummaries(const MapSnapshot& snapshot);
 std::vector<MapSummary> MapSummaries(const MapSnapshot& snapshot);
 

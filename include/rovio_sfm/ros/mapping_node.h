@@ -15,13 +15,15 @@
 #include <rovio_sfm/UnmergeSession.h>
 
 #include <atomic>
-#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "rovio_sfm/app/gap_filler.h"
 #include "rovio_sfm/app/mapping_engine.h"
 #include "rovio_sfm/app/mapping_node_options.h"
 #include "rovio_sfm/ros/event_history.h"
+#include "rovio_sfm/ros/frame_fetcher.h"
 #include "rovio_sfm/ros/frame_subscriber.h"
 #include "rovio_sfm/ros/job_worker.h"
 #include "rovio_sfm/ros/map_publisher.h"
@@ -29,8 +31,9 @@
 namespace rovio_sfm {
 
 // Frame events of all robots and place matches in, maps out. The callbacks of the main thread
-// convert and push; the worker owns the mapper; services have threads of their own, so that a call
-// that waits for the worker holds up nothing else.
+// convert and push; the worker owns the mapper, and waits for nobody: missing frames are fetched on
+// other threads; services have threads of their own too, so that a call that waits for the worker
+// holds up nothing else.
 class MappingNode {
  public:
   MappingNode(const MappingNodeOptions& options, ros::NodeHandle node,
@@ -41,12 +44,15 @@ class MappingNode {
   void Tick() { diagnostics_.update(); }
 
  private:
-  static constexpr size_t kJobQueue = 500;  // events and calls; drop oldest, counted
+  // What the worker has to do, by kind; WorkerLanes has the bounds.
+  enum Lane : size_t { kFrameLane, kMatchLane, kCallLane, kAnswerLane, kClockLane };
 
   void AdvertiseServices();
+  void StartTimers();
+  void OnFrame(const FrameEventMsg::ConstPtr& message, FrameEvent event);
   void OnPlaceMatch(const PlaceMatchMsg::ConstPtr& message);
-  // Runs on the worker, but for events that are still queued when the time to end is over.
-  void Push(Job job);
+  void OnAnswer(const GapFetch& fetch, std::vector<FetchedFrame> frames);  // threads of fetcher_
+  bool IsTimeUp() const;
   void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
   IngestCounters Counters() const;
 
@@ -58,11 +64,11 @@ class MappingNode {
   bool Reset(ResetRequest& request, ResetResponse& response);
   bool MergeSessions(MergeSessionsRequest& request, MergeSessionsResponse& response);
   bool UnmergeSession(UnmergeSessionRequest& request, UnmergeSessionResponse& response);
-  Status CloseSession(const std::string& robot, uint32_t* session);
+  Status CloseSession(const std::string& robot, std::optional<ClosedSession>* closed);
 
-  void Ingest(const FrameEventMsg::ConstPtr& message, const FrameEvent& event);  // worker, as below
-  void FetchMissing(const FrameId& id);
-  void Map(const FrameEventMsg::ConstPtr& message, const FrameEvent& event);
+  ArrivedFrame Arrived(const FrameEventMsg::ConstPtr& message, const FrameEvent& event);
+  void Map(const FrameEventMsg::ConstPtr& message, const FrameEvent& event);  // worker
+  void CountGaps();                                                           // worker
   void WriteFinalMap() const;
 
   const MappingNodeOptions options_;
@@ -70,10 +76,12 @@ class MappingNode {
   MappingEngine engine_;
   MapPublisher publisher_;
   EventHistory history_;
+  FrameFetcher fetcher_;
+  GapFiller gap_filler_;  // of the worker
   std::atomic<uint64_t> num_refused_matches_{0};
-  std::atomic<uint64_t> num_given_up_{0};                // queued events dropped at the end
-  std::atomic<double> give_up_s_{0.0};                   // steady time; 0: never
-  std::map<std::string, ros::ServiceClient> frontends_;  // get_frames, by robot
+  std::atomic<uint64_t> num_late_events_{0}, num_late_matches_{0};  // queued, dropped at the end
+  std::atomic<uint64_t> num_lost_gaps_{0}, num_held_{0};            // of gap_filler_
+  std::atomic<double> give_up_s_{0.0};                              // steady time; 0: never
   ros::CallbackQueue service_queue_;
   std::vector<ros::ServiceServer> services_;
   ros::AsyncSpinner service_spinner_;

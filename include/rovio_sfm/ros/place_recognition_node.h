@@ -39,7 +39,8 @@ class PlaceRecognitionNode {
   void Tick() { diagnostics_.update(); }
 
  private:
-  static constexpr size_t kJobQueue = 500;  // events and calls; drop oldest, counted, fetched again
+  // What the worker has to do, by kind; WorkerLanes has the bounds.
+  enum Lane : size_t { kFrameLane = 0, kCallLane = 1 };
 
   void AdvertiseServices();
   bool FindOverlaps(FindOverlapsRequest& request, FindOverlapsResponse& response);

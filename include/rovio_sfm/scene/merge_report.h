@@ -49,5 +49,6 @@ struct MergeReport {
   double error_before_px = 0.0;
   std::optional<double> error_after_px;
 };
+bool operator==(const MergeReport& a, const MergeReport& b);
 
 }  // namespace rovio_sfm
