@@ -32,10 +32,13 @@ if(BENCHMARKS)
   target_compile_definitions(benchmarks PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(benchmarks PRIVATE rovio_app rovio_synthetic benchmark::benchmark_main)
 endif()
-# What a benchmark of one function cannot show: the cost of a picture as a drive grows.
-add_executable(picture_cost ${PROJECT_SOURCE_DIR}/test/benchmark/picture_cost.cc)
-rovio_compile_options(picture_cost)
-target_link_libraries(picture_cost PRIVATE rovio_app)
+# What a benchmark of one function cannot show: costs as a drive, or the number of drives, grows.
+foreach(PROGRAM picture_cost many_merges)
+  add_executable(${PROGRAM} ${PROJECT_SOURCE_DIR}/test/benchmark/${PROGRAM}.cc)
+  rovio_compile_options(${PROGRAM})
+  target_include_directories(${PROGRAM} PRIVATE ${PROJECT_SOURCE_DIR}/test)
+  target_link_libraries(${PROGRAM} PRIVATE rovio_app rovio_synthetic)
+endforeach()
 
 # The nodes, each against its neighbours over a real master: test/ros/*.test. Wiring only.
 if(ROVIO_WITH_ROS)

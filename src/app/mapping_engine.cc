@@ -35,6 +35,10 @@ void MappingEngine::Add(const PlaceMatch& match) {
   Show();
 }
 
+void MappingEngine::ApplyDueResults() {
+  if (state_->mapper.ApplyDueResults()) Show();
+}
+
 MergeReport MappingEngine::Merge(SessionId a, SessionId b, bool force) {
   MergeReport report = state_->mapper.Merge(a, b, force);
   Show();

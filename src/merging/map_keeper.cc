@@ -7,6 +7,7 @@
 
 #include "rovio_sfm/merging/adjust_map.h"
 #include "rovio_sfm/merging/confirm_overlap.h"
+#include "rovio_sfm/merging/group_pairs.h"
 #include "rovio_sfm/merging/share_scales.h"
 #include "rovio_sfm/merging/spread_gap.h"
 #include "rovio_sfm/merging/try_loop.h"
@@ -26,32 +27,6 @@ bool IsRipe(const Session& session, const MergeOptions& options) {
 
 bool MayGetScale(const Session& session) {
   return session.state() == SessionState::kMapping && !session.scale();
-}
-
-using PairsBySession = std::map<SessionId, std::vector<OverlapPair>>;
-
-// The pairs of the match by the session that holds their frames.
-PairsBySession GroupPairs(const PlaceMatch& match, const SessionTable& sessions) {
-  PairsBySession pairs;
-  for (const OverlapPair& pair : match.pairs) {
-    const Session* session = sessions.FindHolder(pair.other);
-    if (session != nullptr) pairs[session->id()].push_back(pair);
-  }
-  return pairs;
-}
-
-// The session that shares most with the query; ties go to the smaller id.
-SessionId FindRichest(const PairsBySession& pairs) {
-  SessionId richest;
-  size_t most = 0;
-  for (const auto& [id, list] : pairs) {
-    size_t count = 1;
-    for (const OverlapPair& pair : list) count += pair.inliers.size();
-    if (count <= most) continue;
-    richest = id;
-    most = count;
-  }
-  return richest;
 }
 
 bool Joins(const MergeReport& report, SessionId a, SessionId b) {
@@ -140,10 +115,10 @@ bool MapKeeper::TryNow(WaitingMatch* entry) {
 // An overlap within one map that fits it as it is only adds its links.
 std::optional<OverlapTrial> MapKeeper::TryLink(const PlaceMatch& match, SessionId a, SessionId b,
                                                const std::vector<OverlapPair>& pairs) {
-  const MapPlace place_a = list_.PlaceOf(a), place_b = list_.PlaceOf(b);
-  if (!(place_a.map == place_b.map)) return std::nullopt;
-  return TryLoop({sessions_.Lend(a), place_a.map_from_session},
-                 {sessions_.Lend(b), place_b.map_from_session}, match.query, pairs, options_);
+  if (!list_.AreInOneMap(a, b)) return std::nullopt;
+  return TryLoop({sessions_.Lend(a), list_.PlaceOf(a).map_from_session},
+                 {sessions_.Lend(b), list_.PlaceOf(b).map_from_session}, match.query, pairs,
+                 options_);
 }
 
 void MapKeeper::Judge(const PlaceMatch& match, OverlapTrial trial) {
@@ -232,12 +207,13 @@ void MapKeeper::CountKeyframe() {
   ApplyDueResults();
 }
 
-void MapKeeper::ApplyDueResults() {
+bool MapKeeper::ApplyDueResults() {
   std::vector<MapId> due;
   for (const auto& [map, running] : running_) {
     if (running.adjustment.IsDue()) due.push_back(map);
   }
   for (const MapId map : due) ApplyAdjustment(map);
+  return !due.empty();
 }
 
 void MapKeeper::ApplyAdjustment(MapId map) {
@@ -261,8 +237,6 @@ void MapKeeper::AdjustMapOf(MapId map) {
   if (links.empty()) return;
   TakeOver(map, AdjustMapFinally(list_.SessionsOf(map, &sessions_), options_, &links), links);
 }
-
-void MapKeeper::AdjustFinally(SessionId of) { AdjustMapOf(list_.PlaceOf(of).map); }
 
 void MapKeeper::AdjustAllFinally() {
   std::set<MapId> maps;
@@ -354,10 +328,6 @@ OverlapTrial MapKeeper::Retry(const MergeEdit& edit) {
   if (auto link = TryLink(edit.match, other, query->id(), of_other->second)) return *link;
   return TryOverlap(*sessions_.Find(other), *query, edit.match.query, of_other->second, options_,
                     *store_);
-}
-
-void MapKeeper::GiveUpWaiting() {
-  waiting_.Clear([this](const WaitingMatch& waiting) { KeepWaitedInVain(waiting); });
 }
 
 void MapKeeper::KeepWaitedInVain(const WaitingMatch& waiting) {

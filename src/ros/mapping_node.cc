@@ -84,6 +84,7 @@ void MappingNode::StartTimers() {
         // The time of now: answers that are queued already are taken before it is looked at.
         worker_.Push(kClockLane, [this, now_s = SteadySeconds()] {
           gap_filler_.CheckTime(now_s);
+          engine_.ApplyDueResults();
           CountGaps();
         });
       });

@@ -319,9 +319,9 @@ void Session::MarkFrame(uint32_t index) const { frame_blocks_.erase(index / kFra
 
 const Landmark* ObservedLandmark(const Session& session, const FeatureRef& feature) {
   const auto frame = session.keyframes().find(feature.frame);
-  if (frame == session.keyframes().end() || !frame->second.observed[feature.feature]) {
-    return nullptr;
-  }
+  if (frame == session.keyframes().end()) return nullptr;
+  const std::vector<uint8_t>& observed = frame->second.observed;
+  if (feature.feature >= observed.size() || !observed[feature.feature]) return nullptr;
   return session.FindLandmark(frame->second.tracks[feature.feature]);
 }
 

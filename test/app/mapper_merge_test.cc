@@ -1,6 +1,7 @@
 // Merging and undoing while drives go on, as the mapping node does it.
 #include <gtest/gtest.h>
 
+#include <future>
 #include <map>
 
 #include "merging/two_drives.h"
@@ -179,6 +180,29 @@ TEST(MapperMerge, ASessionThatOverlapsAllOthersIsOutAtTheFirstCall) {
   snapshot = mapper.Snapshot();
   EXPECT_EQ(snapshot->sessions[1].map, snapshot->sessions[0].map);
   EXPECT_FALSE(snapshot->sessions[2].map == snapshot->sessions[0].map);
+}
+
+// Live: as long as the solving takes, frames and matches go on, and its result comes when it is
+// there.
+TEST(MapperMerge, NothingWaitsForAnAdjustmentThatIsNotReady) {
+  const TwoDrives two = MakeTwoDrives(Driving::WorldOptions());
+  MemoryFrameStore store;
+  Executor executor{1};
+  std::promise<void> solver_is_free;
+  executor.Submit([&solver_is_free] { solver_is_free.get_future().wait(); });
+  Mapper mapper({}, &store, &executor, nullptr, ResultTiming::kWhenReady);
+  for (uint32_t i = 0; i < kBefore; ++i) mapper.Add(two.a[i]);
+  for (uint32_t i = 0; i < kBefore; ++i) mapper.Add(two.b[i]);
+  mapper.Add(TrueOverlap(two, 8, 8));
+  for (uint32_t i = kBefore; i < kBefore + kAfter; ++i) mapper.Add(two.b[i]);
+  ASSERT_EQ(mapper.MergeReports()[0].verdict, MergeVerdict::kAccepted);
+  EXPECT_FALSE(mapper.ApplyDueResults());
+  EXPECT_FALSE(mapper.MergeReports()[0].error_after_px);
+  solver_is_free.set_value();
+  executor.Submit([] {}).wait();  // behind the adjustment
+  EXPECT_TRUE(mapper.ApplyDueResults());
+  EXPECT_TRUE(mapper.MergeReports()[0].error_after_px);
+  EXPECT_LT(ErrorOfSecond(mapper.Snapshot()->sessions[1], two), 0.05);
 }
 
 }  // namespace

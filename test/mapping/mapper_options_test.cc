@@ -37,8 +37,6 @@ TEST(MapperOptions, RefuseBadPartsByTheirPath) {
   ExpectRefused("threshold_px", [](MapperOptions* o) { o->resect.threshold_px = 0.0; });
   ExpectRefused("min_parallax_deg", [](MapperOptions* o) { o->triangulate.min_parallax_deg = 90; });
   ExpectRefused("local_frames", [](MapperOptions* o) { o->adjust.local_frames = 1; });
-  ExpectRefused("tilt_sigma_deg", [](MapperOptions* o) { o->adjust.tilt_sigma_deg = 0.0; });
-  ExpectRefused("height_sigma_m", [](MapperOptions* o) { o->adjust.height_sigma_m = 1.0; });
   ExpectRefused("final_error_sigmas", [](MapperOptions* o) { o->prune.final_error_sigmas = 0.5; });
   ExpectRefused("min_distance_m", [](MapperOptions* o) { o->scale.min_distance_m = 0.0; });
 }

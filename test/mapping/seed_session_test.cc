@@ -61,8 +61,7 @@ Session OtherSession(const TwoDrives& two) {
 
 TEST(SeedSession, TakesTheSessionThatTheMatchesShowMostOf) {
   Held setup;
-  Session third = OtherSession(setup.two);
-  setup.table.Add(&third);
+  const Session& third = setup.table.Adopt(OtherSession(setup.two));
   PlaceMatch match = TrueOverlap(setup.two, 7, 7);  // in the first drive and in the third
   match.pairs.push_back(match.pairs[0]);
   match.pairs[1].other.drive = third.drive();

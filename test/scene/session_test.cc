@@ -182,6 +182,15 @@ TEST(Session, EveryChangeRaisesTheRevision) {
   EXPECT_EQ(session.revision(), last) << "a snapshot changes nothing";
 }
 
+TEST(ObservedLandmark, IsNoneForFramesAndFeaturesThatAreNotThere) {
+  Session session = TwoHalves();
+  session.AddLandmark(1, {0, 0, 1}, {}, {{0, 0}, {1, 0}});
+  EXPECT_EQ(ObservedLandmark(session, {session.id(), 0, 0}), session.FindLandmark(1));
+  EXPECT_EQ(ObservedLandmark(session, {session.id(), 0, 1}), nullptr) << "it observes nothing";
+  EXPECT_EQ(ObservedLandmark(session, {session.id(), 0, 4000000000}), nullptr);
+  EXPECT_EQ(ObservedLandmark(session, {session.id(), 77, 0}), nullptr);
+}
+
 TEST(SessionDeathTest, EndsOnBreachesOfItsContract) {
   Session session = TwoHalves();
   EXPECT_DEATH(session.keyframe(17), "no keyframe 17");

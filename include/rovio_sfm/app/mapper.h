@@ -37,8 +37,8 @@ class Mapper {
   // matches of its frames say, forward from there, then in reverse; where no match carries, from
   // its own best pair. The drive is finished then.
   void AddSeeded(const std::vector<FrameEvent>& events, const std::vector<PlaceMatch>& matches);
-  // Live: applies the adjustments that are ready, without waiting for the next frame.
-  void ApplyDueResults() { keeper_.ApplyDueResults(); }
+  // Live: applies the adjustments that are ready, without waiting for the next frame. False: none.
+  bool ApplyDueResults() { return keeper_.ApplyDueResults(); }
   // By request; see MapKeeper. The report says what was done, or why not.
   MergeReport Merge(SessionId a, SessionId b, bool force);
   MergeReport MergeAt(SessionId a, SessionId b, const Sim3& b_from_a);

@@ -51,6 +51,8 @@ class MappingEngine {
   MapperReport Add(const FrameEvent& event);
   // Takes an overlap; it waits until its frames are there. Merge reports say what became of it.
   void Add(const PlaceMatch& match);
+  // Takes over the adjustments of maps that are ready; call now and then.
+  void ApplyDueResults();
   // By request, of known sessions that have frames; the report says what was done, or why not.
   MergeReport Merge(SessionId a, SessionId b, bool force);
   // b_from_a: session_<b>/map from session_<a>/map.
@@ -72,7 +74,8 @@ class MappingEngine {
  private:
   // A mapper dies before what it borrows.
   struct State {
-    explicit State(const MapOptions& options) : mapper(options, &store, &executor) {}
+    explicit State(const MapOptions& options)
+        : mapper(options, &store, &executor, nullptr, ResultTiming::kWhenReady) {}
     MemoryFrameStore store;
     Executor executor{1};  // of global adjustments
     Mapper mapper;

@@ -51,12 +51,14 @@ class MapKeeper {
 
   // Counts a keyframe, and applies the results of adjustments that are due.
   void CountKeyframe();
-  void ApplyDueResults();
+  bool ApplyDueResults();  // false: none was
   // The final adjustment of the map of a session, if links join it; of all maps. Waits for it.
-  void AdjustFinally(SessionId of);
+  void AdjustFinally(SessionId of) { AdjustMapOf(list_.PlaceOf(of).map); }
   void AdjustAllFinally();
   // No more frames come: what waits gives up, with the reason.
-  void GiveUpWaiting();
+  void GiveUpWaiting() {
+    waiting_.Clear([this](const WaitingMatch& waiting) { KeepWaitedInVain(waiting); });
+  }
 
   MapPlace PlaceOf(SessionId id) const { return list_.PlaceOf(id); }
   // The landmarks of each map that are one point, as it was last adjusted.
