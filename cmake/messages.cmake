@@ -1,15 +1,11 @@
-# Messages, services and dynamic_reconfigure; must come before any target that uses them.
+# Messages and services; must come before any target that uses them.
 file(GLOB MSG_FILES RELATIVE ${PROJECT_SOURCE_DIR}/msg ${PROJECT_SOURCE_DIR}/msg/*.msg)
 file(GLOB SRV_FILES RELATIVE ${PROJECT_SOURCE_DIR}/srv ${PROJECT_SOURCE_DIR}/srv/*.srv)
-file(GLOB CFG_FILES ${PROJECT_SOURCE_DIR}/cfg/*.cfg)
 if(MSG_FILES)
   add_message_files(DIRECTORY msg FILES ${MSG_FILES})
 endif()
 if(SRV_FILES)
   add_service_files(DIRECTORY srv FILES ${SRV_FILES})
-endif()
-if(CFG_FILES)
-  generate_dynamic_reconfigure_options(${CFG_FILES})
 endif()
 if(MSG_FILES OR SRV_FILES)
   generate_messages(DEPENDENCIES geometry_msgs nav_msgs sensor_msgs std_msgs)

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "rovio_sfm/util/check_options.h"
+
 namespace rovio_sfm {
 
 std::optional<int> ParseArguments(CLI::App* app, int argc, const char* const* argv,
@@ -42,7 +44,7 @@ void CompleteMappingArguments(MappingArguments* arguments) {
   if (arguments->features) frontend.extract.max_features = *arguments->features;
   arguments->mapper.mapper.seed = arguments->mapper.seed;
   std::string error;
-  if (!arguments->mapper.IsValid(&error)) throw std::runtime_error(error);
+  if (!IsValid(arguments->mapper, &error)) throw std::runtime_error(error);
 }
 
 void PrepareResultFolder(const MappingArguments& arguments, const std::string& file) {

@@ -2,16 +2,7 @@
 
 #include <utility>
 
-#include "rovio_sfm/util/option_checker.h"
-
 namespace rovio_sfm {
-
-bool GateOptions::IsValid(std::string* error) const {
-  OptionChecker checker("gate", error);
-  checker.Range("max_wait_s", max_wait_s, 0.0, 10.0);
-  checker.Range("startup_wait_s", startup_wait_s, 0.0, 60.0);
-  return checker.Passed();
-}
 
 void ImageGate::Add(RawImage image, double now_s) {
   if (!first_s_) first_s_ = now_s;

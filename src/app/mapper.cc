@@ -3,6 +3,7 @@
 #include "rovio_sfm/merging/share_scales.h"
 #include "rovio_sfm/report/measure_odometry_delay.h"
 #include "rovio_sfm/util/check.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 
@@ -13,7 +14,7 @@ Mapper::Mapper(const MapOptions& options, FrameStore* store, Executor* executor,
       context_{options, store, keeper_.LendSessions(), executor,
                timing,  times, UpdateOdometryDelay} {
   std::string error;
-  ROVIO_CHECK(options.IsValid(&error), error);
+  ROVIO_CHECK(IsValid(options, &error), error);
 }
 
 MapperReport Mapper::Add(const FrameEvent& event) {

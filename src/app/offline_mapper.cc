@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "rovio_sfm/util/option_checker.h"
-
 namespace rovio_sfm {
 namespace {
 
@@ -24,15 +22,6 @@ void Add(const FrontendCounters& more, FrontendCounters* sum) {
 }
 
 }  // namespace
-
-bool OfflineMapperOptions::IsValid(std::string* error) const {
-  OptionChecker checker("offline_mapper", error);
-  checker.Nested(frontend);
-  checker.Nested(mapper);
-  checker.Nested(places);
-  checker.Range("num_threads", num_threads, 1, 64);
-  return checker.Passed();
-}
 
 OfflineMapper::OfflineMapper(const OfflineMapperOptions& options,
                              std::shared_ptr<const PlaceModel> place_model, StageTimes* times)

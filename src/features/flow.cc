@@ -3,7 +3,6 @@
 #include <opencv2/video/tracking.hpp>
 
 #include "rovio_sfm/util/check.h"
-#include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
 namespace {
@@ -31,18 +30,6 @@ bool IsInside(const cv::Point2f& point, const cv::Size& size) {
 }
 
 }  // namespace
-
-bool FlowOptions::IsValid(std::string* error) const {
-  OptionChecker checker("flow", error);
-  checker.Range("window_px", window_px, 5, 61);
-  checker.True("window_px", window_px % 2 == 1, "an odd number");
-  checker.Range("levels", levels, 0, 6);
-  checker.Range("max_iterations", max_iterations, 1, 100);
-  checker.Range("convergence_px", convergence_px, 1e-4, 1.0);
-  checker.Range("max_backward_error_px", max_backward_error_px, 0.01, 10.0);
-  checker.Range("min_eigenvalue", min_eigenvalue, 0.0, 1.0);
-  return checker.Passed();
-}
 
 FlowPyramid BuildFlowPyramid(const cv::Mat& grey, const FlowOptions& options) {
   FlowPyramid pyramid;

@@ -6,7 +6,6 @@
 
 #include "rovio_sfm/geometry/relative_pose.h"
 #include "rovio_sfm/util/check.h"
-#include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
 namespace {
@@ -57,19 +56,6 @@ ImageMotion MotionOf(const PointPairs& pairs) {
 }
 
 }  // namespace
-
-bool ChooseOptions::IsValid(std::string* error) const {
-  OptionChecker checker("choose", error);
-  checker.Range("num_corners", num_corners, 20, 2000);
-  checker.Range("min_flow_rad", min_flow_rad, 0.001, 1.0);
-  checker.Range("min_rotation_rad", min_rotation_rad, 0.01, 1.0);
-  checker.Range("min_tracked_share", min_tracked_share, 0.0, 1.0);
-  checker.Range("blurred_share", blurred_share, 0.0, 1.0);
-  checker.Range("spoilt_share", spoilt_share, 0.0, blurred_share);
-  checker.Range("max_delay", max_delay, 0, 100);
-  checker.Range("sharpness_window", sharpness_window, 1, 1000);
-  return checker.Passed();
-}
 
 ImageChoice ChooseImage(const ImageMotion& motion, double sharpness_share, int num_delayed,
                         const ChooseOptions& options) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "rovio_sfm/util/check.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -31,7 +32,7 @@ Frontend::Frontend(const FrontendOptions& options, std::string robot, uint64_t s
                    StageTimes* times)
     : options_(options), robot_(std::move(robot)), seed_(seed), nonce_(nonce), times_(times) {
   std::string error;
-  ROVIO_CHECK(options_.IsValid(&error), error);
+  ROVIO_CHECK(IsValid(options_, &error), error);
 }
 
 bool Frontend::SetOptions(const FrontendOptions& options, std::string* error) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "rovio_sfm/features/select_keypoints.h"
-#include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
 namespace {
@@ -50,14 +49,6 @@ cv::Point2f MedianShift(const std::vector<cv::Point2f>& from,
 }
 
 }  // namespace
-
-bool LightOptions::IsValid(std::string* error) const {
-  OptionChecker checker("light", error);
-  checker.Range("max_features", max_features, 10, 2000);
-  checker.Range("min_features", min_features, 1, max_features);
-  checker.Nested(flow);
-  return checker.Passed();
-}
 
 void LightTracks::StartFrom(const FlowPyramid& image, std::shared_ptr<const FrameFeatures> features,
                             const std::vector<TrackId>& tracks,

@@ -1,6 +1,5 @@
 #include "rovio_sfm/frontend/match_recursively.h"
 
-#include "rovio_sfm/util/option_checker.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
@@ -17,15 +16,6 @@ bool FitsOdometry(const PairMatches& pair, const RecentKeyframe& other,
 }
 
 }  // namespace
-
-bool RecursionOptions::IsValid(std::string* error) const {
-  OptionChecker checker("recursion", error);
-  checker.Range("min_matches", min_matches, 5, 10000);
-  checker.Range("max_frames", max_frames, 1, 100);
-  checker.Range("max_misses", max_misses, 0, 10);
-  checker.Nested(odometry_gate);
-  return checker.Passed();
-}
 
 std::vector<PairMatches> MatchRecursively(const std::deque<RecentKeyframe>& recent,
                                           const RecentKeyframe& keyframe, const Camera& camera,

@@ -4,30 +4,6 @@
 
 namespace rovio_sfm {
 
-bool RansacOptions::IsValid(std::string* error) const {
-  const auto fail = [error](const std::string& message) {
-    if (error != nullptr) *error = message;
-    return false;
-  };
-  if (max_iterations < 1 || max_iterations > 1000000) {
-    return fail("max_iterations is " + std::to_string(max_iterations) + ", must be 1 to 1000000");
-  }
-  if (min_iterations < 0 || min_iterations > max_iterations) {
-    return fail("min_iterations is " + std::to_string(min_iterations) +
-                ", must be 0 to max_iterations");
-  }
-  if (!(confidence > 0.0 && confidence < 1.0)) {
-    return fail("confidence is " + std::to_string(confidence) + ", must be within (0, 1)");
-  }
-  if (!(threshold > 0.0)) {
-    return fail("threshold is " + std::to_string(threshold) + ", must be above 0");
-  }
-  if (prosac_samples < 0) {
-    return fail("prosac_samples is " + std::to_string(prosac_samples) + ", must be 0 or more");
-  }
-  return true;
-}
-
 double NumSamplesNeeded(double inlier_share, int sample_size, double confidence) {
   const double all_inliers = std::pow(inlier_share, sample_size);
   if (!(all_inliers > 0.0)) return std::numeric_limits<double>::infinity();

@@ -7,7 +7,6 @@
 #include <opencv2/core/hal/hal.hpp>
 
 #include "rovio_sfm/matching/filter_matches.h"
-#include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
 namespace {
@@ -106,15 +105,6 @@ float MeanDistance(const std::vector<FeatureMatch>& matches) {
 }
 
 }  // namespace
-
-bool GuidedOptions::IsValid(std::string* error) const {
-  OptionChecker checker("guided", error);
-  checker.Range("band_px", band_px, 0.1, 20.0);
-  checker.Range("max_ratio", max_ratio, 0.1f, 1.0f);
-  checker.Range("max_factor", max_factor, 0.1f, 10.0f);
-  checker.Range("min_depth_baselines", min_depth_baselines, 0.0, 100.0);
-  return checker.Passed();
-}
 
 std::vector<FeatureMatch> MatchGuided(const FrameFeatures& a, const FrameFeatures& b,
                                       const Rigid3& b_from_a,

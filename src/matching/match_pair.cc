@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "rovio_sfm/matching/filter_matches.h"
-#include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
 namespace {
@@ -44,16 +43,6 @@ void AddGuided(const FrameFeatures& other, const FrameFeatures& features, double
 }
 
 }  // namespace
-
-bool PairOptions::IsValid(std::string* error) const {
-  OptionChecker checker("pair", error);
-  checker.Nested(match);
-  checker.Range("max_ratio", max_ratio, 0.1f, 1.0f);
-  checker.Range("max_mean_factor", max_mean_factor, 0.1f, 10.0f);
-  checker.Nested(verify);
-  checker.Nested(guided);
-  return checker.Passed();
-}
 
 PairMatches MatchPair(uint32_t other_index, const FrameFeatures& other,
                       const FrameFeatures& features, const Camera& camera,

@@ -215,37 +215,7 @@ void FinishTranslation(const PairProblem& problem, const PointPairs& inliers,
   Finish(problem, selected, result);
 }
 
-bool Refuse(const char* name, double value, const char* bound, std::string* error) {
-  if (error != nullptr) {
-    *error = std::string(name) + " is " + std::to_string(value) + ", must be " + bound;
-  }
-  return false;
-}
-
 }  // namespace
-
-bool VerifyPairOptions::IsValid(std::string* error) const {
-  if (!(threshold_px > 0.0 && threshold_px <= 50.0)) {
-    return Refuse("threshold_px", threshold_px, "in (0, 50]", error);
-  }
-  if (min_inliers < 8) return Refuse("min_inliers", min_inliers, "8 or more", error);
-  if (max_iterations < 1 || max_iterations > 100000) {
-    return Refuse("max_iterations", max_iterations, "1 to 100000", error);
-  }
-  if (min_iterations < 0) return Refuse("min_iterations", min_iterations, "0 or more", error);
-  if (!(confidence > 0.0 && confidence < 1.0)) {
-    return Refuse("confidence", confidence, "in (0, 1)", error);
-  }
-  if (prosac_samples < 0) return Refuse("prosac_samples", prosac_samples, "0 or more", error);
-  if (!(max_homography_share > 0.0 && max_homography_share < 1.0)) {
-    return Refuse("max_homography_share", max_homography_share, "in (0, 1)", error);
-  }
-  if (!(min_flow_px >= 0.0)) return Refuse("min_flow_px", min_flow_px, "0 or more", error);
-  if (!(min_flow_noise_ratio >= 0.0)) {
-    return Refuse("min_flow_noise_ratio", min_flow_noise_ratio, "0 or more", error);
-  }
-  return true;
-}
 
 PairVerification VerifyPair(const std::vector<Eigen::Vector2d>& points_a,
                             const std::vector<Eigen::Vector2d>& points_b,

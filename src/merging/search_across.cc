@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "rovio_sfm/scene/feature_window.h"
-#include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
 namespace {
@@ -62,18 +61,6 @@ std::optional<Eigen::Vector2d> Predict(const Rigid3& cam_from_a, const Landmark&
 }
 
 }  // namespace
-
-bool SearchAcrossOptions::IsValid(std::string* error) const {
-  OptionChecker checker("search", error);
-  checker.Range("radius_px", radius_px, 1.0, 100.0);
-  checker.Range("max_error_sigmas", max_error_sigmas, 1.0, 100.0);
-  checker.Range("max_distance", max_distance, 1.0f, 1000.0f);
-  checker.Range("max_ratio", max_ratio, 0.1f, 1.0f);
-  checker.Range("max_view_angle_rad", max_view_angle_rad, 0.01, 1.5);
-  checker.Range("max_distance_ratio", max_distance_ratio, 1.0, 10.0);
-  checker.Range("min_views", min_views, 2, 100);
-  return checker.Passed();
-}
 
 AcrossReport SearchAcross(const Session& a, const FrameRange& range_a, const Session& b,
                           uint32_t frame_b, const Sim3& b_from_a,

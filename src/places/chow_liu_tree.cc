@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "rovio_sfm/util/check.h"
-#include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
 namespace {
@@ -178,12 +177,6 @@ bool AllReachRoot(const ChowLiuTree& tree, std::string* error) {
 }
 
 }  // namespace
-
-bool ChowLiuOptions::IsValid(std::string* error) const {
-  OptionChecker check("chow_liu", error);
-  check.Range("pseudo_images", pseudo_images, 0.01, 1000.0);
-  return check.Passed();
-}
 
 ChowLiuTree LearnChowLiuTree(const std::vector<WordBag>& bags, size_t num_words,
                              const ChowLiuOptions& options) {

@@ -10,7 +10,6 @@
 
 #include "rovio_sfm/places/vocabulary.h"
 #include "rovio_sfm/util/check.h"
-#include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
 namespace {
@@ -172,14 +171,6 @@ double MeanSquaredDistance(const Nearest& nearest) {
 }
 
 }  // namespace
-
-bool ClusterOptions::IsValid(std::string* error) const {
-  OptionChecker check("cluster", error);
-  check.Range("num_words", num_words, 2, 65536);
-  check.Range("max_iterations", max_iterations, 0, 1000);
-  check.Range("min_gain", min_gain, 0.0, 1.0);
-  return check.Passed();
-}
 
 ClusterState SeedWords(const Descriptors& features, const ClusterOptions& options, Rng* rng) {
   ROVIO_CHECK(features.Count() > 0 && features.metric == DescriptorMetric::kL2);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "rovio_sfm/util/check.h"
-#include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
 namespace {
@@ -63,12 +62,6 @@ void SetPosteriors(const PlaceQuery& query, double new_place_prior, FabmapResult
 }
 
 }  // namespace
-
-bool FabmapOptions::IsValid(std::string* error) const {
-  OptionChecker check("fabmap", error);
-  check.Range("new_place_prior", new_place_prior, 0.001, 0.999);
-  return check.Passed();
-}
 
 Fabmap::Fabmap(std::shared_ptr<const PlaceModel> model, const FabmapOptions& options)
     : model_(std::move(model)),

@@ -1,16 +1,8 @@
 #include "rovio_sfm/places/motion_prior.h"
 
 #include "rovio_sfm/util/check.h"
-#include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
-
-bool MotionPriorOptions::IsValid(std::string* error) const {
-  OptionChecker check("motion_prior", error);
-  check.Range("move_probability", move_probability, 0.0, 1.0);
-  check.Range("uniform_share", uniform_share, 0.001, 1.0);
-  return check.Passed();
-}
 
 void MotionPrior::AddPlace(uint32_t previous) {
   const auto place = static_cast<uint32_t>(previous_.size());

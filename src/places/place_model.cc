@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "rovio_sfm/places/binary_fields.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -142,7 +143,7 @@ bool PlaceModel::IsValid(std::string* error) const {
                     error);
   }
   if (provenance.size() > kMaxProvenance) return Complain("provenance: over 4096 bytes", error);
-  if (!IsValidTree(tree, error) || !detector.IsValid(error)) return false;
+  if (!IsValidTree(tree, error) || !rovio_sfm::IsValid(detector, error)) return false;
   for (size_t i = 0; i < training_bags.size(); ++i) {
     if (IsBag(training_bags[i], num_words)) continue;
     return Complain("training bag " + std::to_string(i) + ": words not ascending or too great",

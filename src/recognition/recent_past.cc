@@ -2,21 +2,12 @@
 
 #include <algorithm>
 
-#include "rovio_sfm/util/option_checker.h"
-
 namespace rovio_sfm {
 namespace {
 
 constexpr size_t kForgetAfter = 100;  // keyframes without a track: more than a frontend looks back
 
 }  // namespace
-
-bool RecentPastOptions::IsValid(std::string* error) const {
-  OptionChecker checker("recent_past", error);
-  checker.Range("min_keyframes", min_keyframes, 1, 10000);
-  checker.Range("min_shared_tracks", min_shared_tracks, 1, 1000);
-  return checker.Passed();
-}
 
 size_t RecentPast::Add(const std::vector<TrackId>& tracks, const std::vector<TrackLink>& links) {
   for (const TrackLink& link : links) Join(link);

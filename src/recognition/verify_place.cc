@@ -5,7 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "rovio_sfm/util/option_checker.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
@@ -57,14 +56,6 @@ PairOptions VerifyPlaceOptions::DefaultPair() {
   PairOptions pair;
   pair.max_ratio = 0.8f;
   return pair;
-}
-
-bool VerifyPlaceOptions::IsValid(std::string* error) const {
-  OptionChecker checker("verify_place", error);
-  checker.Nested(pair);
-  checker.Range("min_cells", min_cells, 1, kCellsPerSide * kCellsPerSide);
-  checker.Range("max_neighbors", max_neighbors, 0, 50);
-  return checker.Passed();
 }
 
 PlaceVerification VerifyPlace(const PlaceFrame& candidate, const PlaceFrame& query,

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "rovio_sfm/app/option_reader.h"
 #include "rovio_sfm/app/tour_file.h"
 #include "rovio_sfm/ros/topics.h"
 
@@ -17,72 +16,8 @@ namespace {
 constexpr double kStepPeriodS = 0.05;
 constexpr double kFirstFrameS = 5.0;  // the first frame may have come before this node listened
 constexpr double kStirS = 0.3;        // a turn so long is noticed, and soon undone
-constexpr double kDegree = M_PI / 180.0;
-
-void ReadDegrees(OptionReader* reader, const std::string& name, double* value_rad) {
-  double degrees = *value_rad / kDegree;
-  reader->Read(name, &degrees);
-  *value_rad = degrees * kDegree;
-}
-
-SteerOptions ReadSteer(OptionReader reader) {
-  SteerOptions steer;
-  reader.Read("position_tolerance_m", &steer.position_tolerance_m);
-  ReadDegrees(&reader, "yaw_tolerance_deg", &steer.yaw_tolerance_rad);
-  ReadDegrees(&reader, "turn_first_deg", &steer.turn_first_rad);
-  reader.Read("max_speed_m_per_s", &steer.max_speed_m_per_s);
-  reader.Read("min_speed_m_per_s", &steer.min_speed_m_per_s);
-  reader.Read("max_turn_rad_per_s", &steer.max_turn_rad_per_s);
-  reader.Read("min_turn_rad_per_s", &steer.min_turn_rad_per_s);
-  reader.Read("approach_s", &steer.approach_s);
-  reader.RefuseUnknown();
-  return steer;
-}
-
-TourLook ReadLook(OptionReader* reader) {
-  std::string look = "image";
-  reader->Read("look", &look);
-  if (look == "image") return TourLook::kImage;
-  if (look == "frame") return TourLook::kFrame;
-  if (look != "nothing") reader->Fail("look", "expected one of nothing image frame");
-  return TourLook::kNothing;
-}
 
 }  // namespace
-
-bool DriveTourOptions::IsValid(std::string* error) const {
-  if (tour.empty()) {
-    *error = "tour must name a YAML file of way-points";
-    return false;
-  }
-  for (const double seconds : {look_timeout_s, ready_timeout_s, stop_timeout_s, max_odom_age_s}) {
-    if (seconds >= 0.1 && seconds <= 3600.0) continue;
-    *error = "time-outs and max_odom_age_s must be 0.1 … 3600 s";
-    return false;
-  }
-  if (max_looks < 1 || max_looks > 100) {
-    *error = "max_looks must be 1 … 100";
-    return false;
-  }
-  return steer.IsValid(error);
-}
-
-DriveTourOptions LoadDriveTourOptions(const YAML::Node& parameters) {
-  OptionReader reader(parameters, "drive_tour");
-  DriveTourOptions options;
-  reader.Read("tour", &options.tour);
-  options.look = ReadLook(&reader);
-  reader.Read("look_timeout_s", &options.look_timeout_s);
-  reader.Read("max_looks", &options.max_looks);
-  reader.Read("ready_timeout_s", &options.ready_timeout_s);
-  reader.Read("stop_timeout_s", &options.stop_timeout_s);
-  reader.Read("max_odom_age_s", &options.max_odom_age_s);
-  options.steer = ReadSteer(reader.Group("steer"));
-  reader.RefuseUnknown();
-  std::string error;
-  if (!options.IsValid(&error)) throw std::runtime_error("drive_tour: " + error);
-  return options;
-}
 
 DriveTourNode::DriveTourNode(const ros::NodeHandle& handle, const DriveTourOptions& options)
     : handle_(handle),

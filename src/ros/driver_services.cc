@@ -1,6 +1,7 @@
 #include "rovio_sfm/ros/driver_services.h"
 
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -82,7 +83,7 @@ Status DriverServices::ChangeSettings(const rovio_sfm::SetCamera::Request& reque
   const CameraSettings wanted = Merge(request, before.value->camera);
   if (wanted == before.value->camera) return MakeStatus(Status::OK, "nothing to change");
   std::string error;
-  if (!wanted.IsValid(&error)) return MakeStatus(Status::INVALID_ARGUMENT, error);
+  if (!IsValid(wanted, &error)) return MakeStatus(Status::INVALID_ARGUMENT, error);
   const RobotOutcome outcome = client_.RequestSettings(wanted, before.value->camera);
   if (!outcome.IsOk()) return ToStatus(outcome, "");
   const bool has_obeyed = motion_->WaitForReport(

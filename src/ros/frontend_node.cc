@@ -110,7 +110,7 @@ void FrontendNode::OnThresholds(FrontendThresholdsConfig& thresholds, uint32_t l
   std::string error;
   if (level == kAtStart || !MayFollow(*frontend_options_, next, &error)) {
     if (!error.empty()) ROS_WARN_STREAM("thresholds refused, the old ones stay: " << error);
-    thresholds = ThresholdsOf(*frontend_options_);
+    thresholds = FrontendThresholdsConfig(*frontend_options_);
     return;
   }
   frontend_options_ = std::make_shared<const FrontendOptions>(std::move(next));

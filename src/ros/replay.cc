@@ -44,8 +44,7 @@ template <typename Options>
 void LoadFile(const std::string& path, Options* options) {
   if (path.empty()) return;
   try {
-    OptionReader reader(YAML::LoadFile(path), "");
-    ReadOptions(&reader, options);
+    LoadOptions(YAML::LoadFile(path), "", options);
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what());
   }

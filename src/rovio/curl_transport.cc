@@ -10,6 +10,7 @@
 
 #include "rovio_sfm/rovio/header_value.h"
 #include "rovio_sfm/util/check.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -26,13 +27,6 @@ double SecondsBetween(Clock::time_point from, Clock::time_point to) {
 }
 
 long Milliseconds(double seconds) { return std::lround(seconds * 1000.0); }
-
-bool IsHostName(const std::string& host) {
-  if (host.empty() || host.size() > 253 || host.front() == '-' || host.front() == '.') return false;
-  return std::all_of(host.begin(), host.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '-' || c == '.' || c == '_';
-  });
-}
 
 HttpFault FaultOf(CURLcode code) {
   switch (code) {
@@ -188,29 +182,17 @@ struct CurlTransport::Exchange {
   CURL* easy = nullptr;
 };
 
-bool CurlTransportOptions::IsValid(std::string* error) const {
-  const auto is_wait = [](double seconds) { return seconds >= 0.05 && seconds <= 600.0; };
-  if (!IsHostName(host)) {
-    *error = "host must be a name or an IPv4 address, without scheme, port or path";
-  } else if (port < 1 || port > 65535) {
-    *error = "port must be 1 … 65535";
-  } else if (!is_wait(connect_timeout_s) || !is_wait(first_byte_timeout_s) ||
-             !is_wait(between_bytes_timeout_s) || !is_wait(total_timeout_s)) {
-    *error = "HTTP time-outs must be 0.05 … 600 s";
-  } else if (min_bytes_per_s < 0 || min_speed_window_s < 1 || min_speed_window_s > 600) {
-    *error = "min_bytes_per_s must be >= 0, min_speed_window_s 1 … 600";
-  } else if (max_header_bytes < 256 || max_header_lines < 4) {
-    *error = "max_header_bytes must be >= 256, max_header_lines >= 4";
-  } else {
-    return true;
-  }
-  return false;
+bool IsHostName(const std::string& host) {
+  if (host.empty() || host.size() > 253 || host.front() == '-' || host.front() == '.') return false;
+  return std::all_of(host.begin(), host.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '-' || c == '.' || c == '_';
+  });
 }
 
 CurlTransport::CurlTransport(const CurlTransportOptions& options, const Credentials& credentials)
     : options_(options), handles_((InitializeCurlOnce(), std::make_unique<Handles>())) {
   std::string error;
-  ROVIO_CHECK(options.IsValid(&error), error);
+  ROVIO_CHECK(IsValid(options, &error), error);
   CURL* const easy = handles_->easy;
   handles_->headers = curl_slist_append(nullptr, "Connection: Keep-Alive");
   Set(easy, CURLOPT_HTTPHEADER, handles_->headers);

@@ -11,7 +11,7 @@ bool FallsSteadily(const std::array<double, 10>& table) {
   for (size_t i = 0; i + 1 < table.size(); ++i) {
     if (!(table[i] > table[i + 1])) return false;
   }
-  return table.back() > 0.0 && table.front() <= 100.0;
+  return true;
 }
 
 // The number whose value is next to the wish.
@@ -34,24 +34,19 @@ DriveCode DirectionOf(double forward, double left) {
 
 }  // namespace
 
-bool DriveOptions::IsValid(std::string* error) const {
-  if (!FallsSteadily(speed_m_per_s) || !FallsSteadily(turn_rad_per_s)) {
-    *error = "speed_m_per_s and turn_rad_per_s must each fall from number 1 to 10, above 0";
-    return false;
-  }
-  if (min_speed_m_per_s < 0.0 || min_turn_rad_per_s < 0.0 || !(turn_radius_m > 0.0)) {
-    *error = "min_speed_m_per_s and min_turn_rad_per_s must be >= 0, turn_radius_m > 0";
-    return false;
-  }
-  if (repeat_period_ns < 20000000 || repeat_period_ns > 200000000) {
-    *error = "repeat period must be 0.02 … 0.2 s: the robot holds a command for about 0.2 s";
-    return false;
-  }
-  if (max_command_age_ns < repeat_period_ns || max_command_age_ns > 5000000000) {
-    *error = "cmd_vel time-out must be between the repeat period and 5 s";
-    return false;
-  }
-  return true;
+void DriveOptions::DescribeOptions(OptionTable& table) {
+  constexpr const char* kFalls = "numbers that fall from the first to the last";
+  table.AddSeconds("cmd_vel_timeout_s", max_command_age_ns, 0.02, 5.0, "silence, then it stops");
+  table.AddSeconds("repeat_period_s", repeat_period_ns, 0.02, 0.2, "a robot holds a command 0.2 s");
+  table.AddRule("cmd_vel_timeout_s", max_command_age_ns >= repeat_period_ns,
+                "at least repeat_period_s");
+  table.AddNumbers("speed_m_per_s", speed_m_per_s, 0.001, 100.0, "of number 1 to 10");
+  table.AddRule("speed_m_per_s", FallsSteadily(speed_m_per_s), kFalls);
+  table.AddNumbers("turn_rad_per_s", turn_rad_per_s, 0.001, 100.0, "of number 1 to 10");
+  table.AddRule("turn_rad_per_s", FallsSteadily(turn_rad_per_s), kFalls);
+  table.AddNumber("min_speed_m_per_s", min_speed_m_per_s, 0.0, 100.0, "below it counts as zero");
+  table.AddNumber("min_turn_rad_per_s", min_turn_rad_per_s, 0.0, 100.0, "below it counts as zero");
+  table.AddNumber("turn_radius_m", turn_radius_m, 0.001, 10.0, "weighs a turn against a move");
 }
 
 DriveCommand ChooseDrive(const BaseVelocity& velocity, const DriveOptions& options) {

@@ -30,18 +30,6 @@ std::string ReasonOf(const HttpResponse& response, const MjpegParser* parser) {
 
 }  // namespace
 
-bool ImageReaderOptions::IsValid(std::string* error) const {
-  if (!parser.IsValid(error) || !back_off.IsValid(error)) return false;
-  if (max_pixels < 1024 || max_stream_failures < 1 || !(stream_retry_period_s >= 1.0) ||
-      !(max_image_gap_s >= 0.5)) {
-    *error =
-        "images: max_pixels >= 1024, max_stream_failures >= 1, stream_retry_period_s >= 1, "
-        "max_image_gap_s >= 0.5";
-    return false;
-  }
-  return true;
-}
-
 const char* NameOf(ImageLink link) {
   switch (link) {
     case ImageLink::kConnecting:

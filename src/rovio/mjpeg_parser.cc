@@ -24,15 +24,6 @@ bool EndsWholeJpeg(std::string_view body) {
 
 }  // namespace
 
-bool MjpegParserOptions::IsValid(std::string* error) const {
-  if (max_header_bytes >= 64 && max_header_lines >= 2 && max_part_bytes >= 1024 &&
-      max_junk_bytes >= 1024) {
-    return true;
-  }
-  *error = "MJPEG limits: max_header_bytes >= 64, max_header_lines >= 2, others >= 1024";
-  return false;
-}
-
 const char* NameOf(MjpegFault fault) {
   switch (fault) {
     case MjpegFault::kNone:

@@ -33,38 +33,7 @@ Eigen::Vector2d Displacement(const BaseMotion& motion) {
 
 double Square(double x) { return x * x; }
 
-bool Fails(bool holds, const char* message, std::string* error) {
-  if (!holds) *error = message;
-  return !holds;
-}
-
-bool IsScale(double x) { return x >= 0.2 && x <= 5.0; }
-bool IsSigma(double x) { return x >= 0.0 && x <= 1.0; }
-
 }  // namespace
-
-bool OmniOdometryOptions::IsValid(std::string* error) const {
-  const auto is_sign = [](int sign) { return sign == 1 || sign == -1; };
-  return !Fails(wheel_distance_m >= 0.02 && wheel_distance_m <= 1.0,
-                "wheel_distance_m must be 0.02 … 1", error) &&
-         !Fails(front_roll_angle_rad > 0.0 && front_roll_angle_rad < 1.5,
-                "front_roll_angle must be 0 … 85 deg", error) &&
-         !Fails(ticks_per_m >= 10.0 && ticks_per_m <= 1e5, "ticks_per_m must be 10 … 100000",
-                error) &&
-         !Fails(is_sign(wheel_sign[0]) && is_sign(wheel_sign[1]) && is_sign(wheel_sign[2]),
-                "wheel_sign must be three times 1 or -1", error) &&
-         !Fails(IsScale(forward_scale) && IsScale(sideways_scale) && IsScale(rotation_scale),
-                "odometry scales must be 0.2 … 5", error) &&
-         !Fails(IsSigma(forward_gain_sigma) && IsSigma(sideways_gain_sigma) &&
-                    IsSigma(rotation_gain_sigma) && IsSigma(forward_noise_m_per_sqrt_m) &&
-                    IsSigma(sideways_noise_m_per_sqrt_m) &&
-                    IsSigma(rotation_noise_rad_per_sqrt_rad) &&
-                    IsSigma(heading_noise_rad_per_sqrt_m),
-                "odometry gain sigmas and noises must be 0 … 1", error) &&
-         !Fails(tick_sigma >= 0.0 && tick_sigma <= 100.0, "tick_sigma must be 0 … 100", error) &&
-         !Fails(lost_report_speed_m_per_s >= 0.0 && lost_report_speed_m_per_s <= 5.0,
-                "lost_report_speed_m_per_s must be 0 … 5", error);
-}
 
 OmniOdometry::OmniOdometry(const OmniOdometryOptions& options)
     : options_(options), motion_from_rim_(RimFromMotion(options).inverse()) {

@@ -4,14 +4,6 @@
 
 namespace rovio_sfm {
 
-bool ReporterOptions::IsValid(std::string* error) const {
-  if (wanted_settings && !wanted_settings->IsValid(error)) return false;
-  if (!back_off.IsValid(error)) return false;
-  if (max_failures >= 1) return true;
-  *error = "max_failures must be at least 1";
-  return false;
-}
-
 RobotReporter::RobotReporter(const ReporterOptions& options, HttpTransport* transport,
                              Callbacks callbacks)
     : options_(options),

@@ -114,21 +114,7 @@ std::optional<std::array<uint8_t, kMcuBytes>> ParseHexBytes(std::string_view tex
   return bytes;
 }
 
-bool IsWithin(int value, int low, int high, const char* name, std::string* error) {
-  if (value >= low && value <= high) return true;
-  *error = std::string(name) + " is " + std::to_string(value) + ", must be " + std::to_string(low) +
-           " … " + std::to_string(high);
-  return false;
-}
-
 }  // namespace
-
-bool CameraSettings::IsValid(std::string* error) const {
-  return IsWithin(resolution, 0, 3, "resolution", error) &&
-         IsWithin(compression, 0, 2, "compression", error) &&
-         IsWithin(frame_rate, 1, 30, "frame_rate", error) &&
-         IsWithin(brightness, 0, 6, "brightness", error);
-}
 
 std::string ReportTarget() { return NavTarget(1); }
 std::string McuReportTarget() { return NavTarget(20); }

@@ -2,12 +2,6 @@
 
 namespace rovio_sfm {
 
-bool StationaryOptions::IsValid(std::string* error) const {
-  if (rest_ns >= 0 && rest_ns <= 10000000000) return true;
-  *error = "the time of rest before a stationary image must be 0 … 10 s";
-  return false;
-}
-
 void StationaryTrigger::Note(bool is_moving, int64_t now_ns) {
   if (is_moving) has_image_ = false;
   if (!is_known_ || (is_moving_ && !is_moving)) rest_since_ns_ = now_ns;

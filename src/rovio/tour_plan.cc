@@ -48,19 +48,6 @@ std::vector<PlanarPose> PlanStops(const std::vector<TourWayPoint>& way_points) {
   return stops;
 }
 
-bool SteerOptions::IsValid(std::string* error) const {
-  const bool holds = position_tolerance_m >= 0.005 && yaw_tolerance_rad >= 0.005 &&
-                     turn_first_rad >= yaw_tolerance_rad && min_speed_m_per_s > 0.0 &&
-                     max_speed_m_per_s >= min_speed_m_per_s && min_turn_rad_per_s > 0.0 &&
-                     max_turn_rad_per_s >= min_turn_rad_per_s && approach_s > 0.0;
-  if (!holds) {
-    *error =
-        "steering: tolerances >= 0.005, turn_first above the yaw tolerance, speeds above 0 and "
-        "max >= min, approach_s above 0";
-  }
-  return holds;
-}
-
 std::optional<BaseVelocity> SteerTo(const PlanarPose& target, const PlanarPose& present,
                                     const SteerOptions& options) {
   const PlanarPose error = RelativeTo(present, target);

@@ -7,7 +7,6 @@
 #include "rovio_sfm/geometry/ransac.h"
 #include "rovio_sfm/sessions/cross_residual.h"
 #include "rovio_sfm/sessions/fit_similarity.h"
-#include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
 namespace {
@@ -151,21 +150,6 @@ std::vector<double> LogDepthRatios(const std::vector<CrossMatch>& matches, const
 }
 
 }  // namespace
-
-bool AlignOptions::IsValid(std::string* error) const {
-  OptionChecker checker("align", error);
-  checker.Range("max_iterations", max_iterations, 1, 100000);
-  checker.Range("confidence", confidence, 0.5, 0.999999);
-  checker.Range("threshold_sigmas", threshold_sigmas, 0.1, 100.0);
-  checker.Range("loss_sigmas", loss_sigmas, 0.1, 100.0);
-  checker.Range("min_inliers", min_inliers, 4, 10000);
-  checker.Range("min_common", min_common, 3, 10000);
-  checker.Range("max_sigma_log_scale", max_sigma_log_scale, 1e-4, 1.0);
-  checker.Range("max_sigma_rotation_rad", max_sigma_rotation_rad, 1e-5, 1.0);
-  checker.Range("sigma_log_distance_floor", sigma_log_distance_floor, 1e-6, 1.0);
-  checker.Range("sigma_log_scale_floor", sigma_log_scale_floor, 0.0, 1.0);
-  return checker.Passed();
-}
 
 const char* ToString(AlignRefusal refusal) {
   switch (refusal) {

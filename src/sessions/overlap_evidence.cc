@@ -7,8 +7,6 @@
 #include <set>
 #include <sstream>
 
-#include "rovio_sfm/util/option_checker.h"
-
 namespace rovio_sfm {
 namespace {
 
@@ -165,23 +163,6 @@ std::string Describe(const EvidenceVerdict& verdict, const OverlapEvidence& evid
 }
 
 }  // namespace
-
-bool EvidenceOptions::IsValid(std::string* error) const {
-  OptionChecker checker("evidence", error);
-  checker.Range("min_inliers", min_inliers, 4, 10000);
-  checker.Range("grid_size", grid_size, 1, 100);
-  checker.Range("min_rows", min_rows, 1, grid_size);
-  checker.Range("min_columns", min_columns, 1, grid_size);
-  checker.Range("min_depth_ratio", min_depth_ratio, 1.0, 100.0);
-  checker.Range("min_off_plane_share", min_off_plane_share, 0.0, 1.0);
-  checker.Range("max_plane_error", max_plane_error, 1e-4, 1.0);
-  checker.Range("min_visible", min_visible, 1, 100000);
-  checker.Range("min_matched_share", min_matched_share, 0.0, 1.0);
-  checker.Range("refuted_share", refuted_share, 0.0, min_matched_share);
-  checker.Range("max_log_scale_gap", max_log_scale_gap, 0.001, 1.0);
-  checker.Range("refuted_log_scale_gap", refuted_log_scale_gap, max_log_scale_gap, 10.0);
-  return checker.Passed();
-}
 
 EvidenceVerdict JudgeOverlap(const OverlapEvidence& evidence, const EvidenceOptions& options) {
   EvidenceVerdict verdict = Measure(evidence, options);

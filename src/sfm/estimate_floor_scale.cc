@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "rovio_sfm/util/option_checker.h"
-
 namespace rovio_sfm {
 namespace {
 
@@ -174,18 +172,6 @@ bool IsFloor(const Floor& floor, const Upright& scene, const FloorScaleOptions& 
 }
 
 }  // namespace
-
-bool FloorScaleOptions::IsValid(std::string* error) const {
-  OptionChecker checker("floor", error);
-  checker.Range("height_sigma", height_sigma, 0.001, 1.0);
-  checker.Range("up_sigma_rad", up_sigma_rad, 0.001, 0.5);
-  checker.Range("max_gap_share", max_gap_share, 0.01, 0.3);
-  checker.Range("max_below_share", max_below_share, 0.01, 1.0);
-  checker.Range("max_sigma", max_sigma, 0.01, 1.0);
-  checker.Range("min_points", min_points, 10, 1000);
-  checker.Range("min_cameras", min_cameras, 2, 100);
-  return checker.Passed();
-}
 
 std::optional<MapScale> EstimateFloorScale(const std::vector<FloorCamera>& cameras,
                                            const std::vector<Eigen::Vector3d>& points_in_map,

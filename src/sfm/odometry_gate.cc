@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "rovio_sfm/util/option_checker.h"
-
 namespace rovio_sfm {
 namespace {
 
@@ -14,14 +12,6 @@ double AngleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 }
 
 }  // namespace
-
-bool OdometryGateOptions::IsValid(std::string* error) const {
-  OptionChecker checker("odometry_gate", error);
-  checker.Range("max_rotation_gap_deg", max_rotation_gap_deg, 0.5, 180.0);
-  checker.Range("max_direction_gap_deg", max_direction_gap_deg, 1.0, 180.0);
-  checker.Range("min_distance_m", min_distance_m, 0.0, 10.0);
-  return checker.Passed();
-}
 
 std::optional<Rigid3> OdomFromCamera(const std::optional<OdometrySample>& odometry,
                                      const std::optional<Rigid3>& base_from_camera) {

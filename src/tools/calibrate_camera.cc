@@ -13,7 +13,7 @@
 #include "rovio_sfm/io/text_file.h"
 #include "rovio_sfm/io/write_file.h"
 #include "rovio_sfm/tools/list_images.h"
-#include "rovio_sfm/util/option_checker.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -70,14 +70,6 @@ void Report(const CalibrationReport& report, std::ostream& out) {
 
 }  // namespace
 
-bool CalibrateCameraOptions::IsValid(std::string* error) const {
-  OptionChecker checker("calibrate_camera", error);
-  checker.Range("columns", columns, 3, 50);
-  checker.Range("rows", rows, 3, 50);
-  checker.Range("min_boards", min_boards, 3, 1000);
-  return checker.Passed();
-}
-
 CalibrationReport CalibrateCamera(const std::vector<std::filesystem::path>& images,
                                   const CalibrateCameraOptions& options) {
   const cv::Size board(options.columns, options.rows);
@@ -123,7 +115,7 @@ int CalibrateCameraCommand(int argc, const char* const* argv, std::ostream& out)
   app.add_flag("--overwrite", overwrite, "replace the file");
   if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
   std::string error;
-  if (!options.IsValid(&error)) throw std::runtime_error(error);
+  if (!IsValid(options, &error)) throw std::runtime_error(error);
   const CalibrationReport report = CalibrateCamera(ListImages(arguments), options);
   Report(report, out);
   WriteFile(file, CameraInfoYaml(report.camera, name),

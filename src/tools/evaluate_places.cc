@@ -12,6 +12,7 @@
 #include "rovio_sfm/app/place_model_option.h"
 #include "rovio_sfm/io/write_file.h"
 #include "rovio_sfm/tools/place_trial.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -55,7 +56,7 @@ void CheckArguments(Arguments* arguments) {
     arguments->recognizer.fabmap.new_place_model = NewPlaceModel::kMeanField;
   }
   std::string error;
-  if (!arguments->frontend.IsValid(&error) || !arguments->recognizer.IsValid(&error)) {
+  if (!IsValid(arguments->frontend, &error) || !IsValid(arguments->recognizer, &error)) {
     throw std::runtime_error(error);
   }
   const std::filesystem::path summary = std::filesystem::path(arguments->out) / "summary.json";

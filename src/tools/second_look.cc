@@ -3,8 +3,6 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "rovio_sfm/util/option_checker.h"
-
 namespace rovio_sfm {
 namespace {
 
@@ -40,18 +38,6 @@ void AddNoise(double sigma, double gain, Rng* rng, cv::Mat* bgr) {
 }
 
 }  // namespace
-
-bool SecondLookOptions::IsValid(std::string* error) const {
-  OptionChecker check("second_look", error);
-  check.Range("max_roll_deg", max_roll_deg, 0.0, 45.0);
-  check.Range("max_zoom", max_zoom, 1.0, 4.0);
-  check.Range("max_shift", max_shift, 0.0, 0.9);
-  check.Range("max_perspective", max_perspective, 0.0, 0.9);
-  check.Range("max_gain", max_gain, 1.0, 4.0);
-  check.Range("noise_sigma", noise_sigma, 0.0, 50.0);
-  check.Range("max_pairs", max_pairs, 1, 100000);
-  return check.Passed();
-}
 
 cv::Mat TakeSecondLook(const cv::Mat& bgr, const SecondLookOptions& options, Rng* rng) {
   cv::Mat look;

@@ -6,8 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "rovio_sfm/util/option_checker.h"
-
 namespace rovio_sfm {
 namespace {
 
@@ -98,18 +96,6 @@ std::string ProvenanceOf(size_t num_images, const TrainPlacesOptions& options) {
 }
 
 }  // namespace
-
-bool TrainPlacesOptions::IsValid(std::string* error) const {
-  OptionChecker check("train_places", error);
-  check.Nested(frontend);
-  check.True("frontend.extract.type", frontend.extract.type == DescriptorType::kSift, "sift");
-  check.Nested(cluster);
-  check.Range("max_cluster_features", max_cluster_features, 100, 10'000'000);
-  check.Nested(tree);
-  check.Nested(second_look);
-  if (p_z_given_e.has_value()) check.Range("p_z_given_e", *p_z_given_e, 0.01, 0.99);
-  return check.Passed();
-}
 
 TrainingResult TrainPlaces(const std::vector<std::filesystem::path>& images,
                            const TrainPlacesOptions& options, const TrainingCheckpoint& checkpoint,

@@ -13,6 +13,7 @@
 #include "rovio_sfm/app/progress_bar.h"
 #include "rovio_sfm/tools/list_images.h"
 #include "rovio_sfm/tools/train_place_model.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -89,7 +90,7 @@ std::vector<std::filesystem::path> ChooseImages(const Arguments& arguments) {
 // Cheap now, vexing after an hour's work.
 void CheckArguments(const Arguments& arguments) {
   std::string error;
-  if (!arguments.options.IsValid(&error)) throw std::runtime_error(error);
+  if (!IsValid(arguments.options, &error)) throw std::runtime_error(error);
   if (!arguments.overwrite && std::filesystem::exists(arguments.out)) {
     throw std::runtime_error(arguments.out + " exists; give --overwrite to replace it");
   }

@@ -4,7 +4,6 @@
 
 #include "rovio_sfm/geometry/triangulate.h"
 #include "rovio_sfm/util/check.h"
-#include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
 namespace {
@@ -32,14 +31,6 @@ double Weight(const LandmarkViews& landmark) {
 }
 
 }  // namespace
-
-bool FilterF2Options::IsValid(std::string* error) const {
-  constexpr double kLargest = std::numeric_limits<double>::max();
-  OptionChecker checker("filter_f2", error);
-  checker.Range("max_chi_square", max_chi_square, 1e-6, kLargest);
-  checker.Range("max_relative_distance", max_relative_distance, 1e-6, kLargest);
-  return checker.Passed();
-}
 
 Eigen::Vector3d UnitedPosition(const LandmarkViews& a, const LandmarkViews& b) {
   ROVIO_CHECK(a.cams_from_map.size() >= 2 && b.cams_from_map.size() >= 2);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "rovio_sfm/util/check.h"
-#include "rovio_sfm/util/option_checker.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -26,18 +26,11 @@ std::vector<TrackMember> MergeMembers(const std::vector<TrackMember>& a,
 
 }  // namespace
 
-bool TrackOptions::IsValid(std::string* error) const {
-  OptionChecker checker("track", error);
-  checker.Range("same_feature_px", same_feature_px, 0.0, 100.0);
-  checker.Range("remembered_frames", remembered_frames, 1, 10000);
-  return checker.Passed();
-}
-
 TrackBuilder::TrackBuilder(const TrackOptions& options) { SetOptions(options); }
 
 void TrackBuilder::SetOptions(const TrackOptions& options) {
   std::string error;
-  ROVIO_CHECK(options.IsValid(&error), error);
+  ROVIO_CHECK(IsValid(options, &error), error);
   options_ = options;
 }
 

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "rovio_sfm/report/level_map.h"
+#include "rovio_sfm/util/check_options.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
@@ -82,9 +83,9 @@ TEST(OfflineMapper, CountsWhatBecameOfTheImages) {
 TEST(OfflineMapperOptions, NamesTheBadOption) {
   std::string error;
   OfflineMapperOptions options;
-  EXPECT_TRUE(options.IsValid(&error)) << error;
+  EXPECT_TRUE(IsValid(options, &error)) << error;
   options.num_threads = 0;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
   EXPECT_NE(error.find("num_threads"), std::string::npos);
 }
 

@@ -73,25 +73,6 @@ TEST(OptionReader, MissingGroupIsEmpty) {
   EXPECT_EQ(count, 5);
 }
 
-enum class Colour { kRed, kBlue };
-
-TEST(OptionReader, ReadsAChoiceByName) {
-  OptionReader reader(YAML::Load("{colour: blue}"), "");
-  Colour colour = Colour::kRed;
-  reader.ReadChoice("colour", {{"red", Colour::kRed}, {"blue", Colour::kBlue}}, &colour);
-  EXPECT_EQ(colour, Colour::kBlue);
-}
-
-TEST(OptionReader, RefusesAnotherChoice) {
-  OptionReader reader(YAML::Load("{colour: green}"), "");
-  Colour colour = Colour::kRed;
-  EXPECT_EQ(
-      ErrorOf([&] {
-        reader.ReadChoice("colour", {{"red", Colour::kRed}, {"blue", Colour::kBlue}}, &colour);
-      }),
-      "colour: expected one of red, blue");
-}
-
 TEST(OptionReader, TellsTheEffectiveOptionsOfAllGroups) {
   OptionReader reader(YAML::Load("{inner: {count: 3}}"), "");
   int count = 0;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rovio_sfm/util/check_options.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -9,7 +11,7 @@ TEST(SensorOptions, LatencyOutOfRangeIsNamed) {
   SensorOptions options;
   options.odom_latency_s = 5.0;
   std::string error;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
   EXPECT_NE(error.find("odom_latency_s"), std::string::npos);
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rovio_sfm/util/check_options.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -27,8 +29,8 @@ TEST(DenoiseOptions, RefusesAnEvenDiameter) {
   DenoiseOptions options;
   options.diameter_px = 4;
   std::string error;
-  EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_EQ(error, "denoise.diameter_px: expected an odd number");
+  EXPECT_FALSE(IsValid(options, &error));
+  EXPECT_EQ(error, "diameter_px = 4: expected an odd number");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "features/test_images.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -59,8 +60,8 @@ TEST(FlowOptions, RefusesAnEvenWindow) {
   FlowOptions options;
   options.window_px = 20;
   std::string error;
-  EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_EQ(error, "flow.window_px: expected an odd number");
+  EXPECT_FALSE(IsValid(options, &error));
+  EXPECT_EQ(error, "window_px = 20: expected an odd number");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "frontend/moving_images.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -76,8 +77,8 @@ TEST(ChooseOptions, NamesTheBadOption) {
   ChooseOptions options;
   options.spoilt_share = 0.9;
   std::string error;
-  EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_EQ(error, "choose.spoilt_share = 0.9: expected 0 to 0.7");
+  EXPECT_FALSE(IsValid(options, &error));
+  EXPECT_EQ(error, "spoilt_share = 0.9: expected at most blurred_share");
 }
 
 }  // namespace

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "rovio_sfm/util/check_options.h"
+
 namespace rovio_sfm {
 namespace {
 
 std::string ErrorOf(const FrontendOptions& options) {
   std::string error;
-  return options.IsValid(&error) ? "" : error;
+  return IsValid(options, &error) ? "" : error;
 }
 
 TEST(FrontendOptions, DefaultsAreValid) { EXPECT_EQ(ErrorOf({}), ""); }
@@ -15,7 +17,7 @@ TEST(FrontendOptions, DefaultsAreValid) { EXPECT_EQ(ErrorOf({}), ""); }
 TEST(FrontendOptions, NamesTheBadOptionOfANestedGroup) {
   FrontendOptions options;
   options.light.flow.levels = 99;
-  EXPECT_EQ(ErrorOf(options), "flow.levels = 99: expected 0 to 6");
+  EXPECT_EQ(ErrorOf(options), "light.flow.levels = 99: expected 0 to 6");
   options = {};
   options.pair.max_ratio = 2.0f;
   EXPECT_EQ(ErrorOf(options), "pair.max_ratio = 2: expected 0.1 to 1");

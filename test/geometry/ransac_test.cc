@@ -112,17 +112,6 @@ TEST(Ransac, RefusesTooFewAndDegenerateData) {
   EXPECT_FALSE(Ransac(LineEstimator({{0, 0}, {0, 0}, {0, 0}}), MakeOptions(0.1), rng));
 }
 
-TEST(RansacOptions, NamesTheBadField) {
-  std::string error;
-  EXPECT_FALSE(RansacOptions().IsValid(&error));
-  EXPECT_NE(error.find("threshold"), std::string::npos);
-  RansacOptions options = MakeOptions(1.0);
-  EXPECT_TRUE(options.IsValid(&error));
-  options.confidence = 1.0;
-  EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_NE(error.find("confidence"), std::string::npos);
-}
-
 TEST(NumSamplesNeeded, FollowsTheFormula) {
   EXPECT_EQ(NumSamplesNeeded(1.0, 5, 0.99), 1.0);
   EXPECT_EQ(NumSamplesNeeded(0.5, 5, 0.99), 146.0);

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "rovio_sfm/util/check_options.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -13,13 +15,13 @@ void ExpectRefused(const std::string& name, Change change) {
   MapperOptions options;
   change(&options);
   std::string error;
-  EXPECT_FALSE(options.IsValid(&error)) << name;
+  EXPECT_FALSE(IsValid(options, &error)) << name;
   EXPECT_NE(error.find(name), std::string::npos) << error;
 }
 
 TEST(MapperOptions, TheDefaultsAreValid) {
   std::string error;
-  EXPECT_TRUE(MapperOptions{}.IsValid(&error)) << error;
+  EXPECT_TRUE(IsValid(MapperOptions{}, &error)) << error;
 }
 
 TEST(MapperOptions, RefuseValuesOutOfRangeByName) {

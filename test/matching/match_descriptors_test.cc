@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "rovio_sfm/util/check_options.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
@@ -123,8 +124,8 @@ TEST(MatchOptions, NamesTheBadOption) {
   MatchOptions options;
   options.checks = 0;
   std::string error;
-  EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_EQ(error, "match.checks = 0: expected 1 to 10000");
+  EXPECT_FALSE(IsValid(options, &error));
+  EXPECT_EQ(error, "checks = 0: expected 1 to 10000");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rovio_sfm/util/check_options.h"
 #include "synthetic/synthetic_world.h"
 
 namespace rovio_sfm {
@@ -142,13 +143,13 @@ TEST(VerifyPair, GivesTheSameBytesForTheSameSeed) {
 TEST(VerifyPairOptions, NamesTheBadField) {
   std::string error;
   VerifyPairOptions options;
-  EXPECT_TRUE(options.IsValid(&error));
+  EXPECT_TRUE(IsValid(options, &error));
   options.threshold_px = 0.0;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
   EXPECT_NE(error.find("threshold_px"), std::string::npos);
   options = {};
   options.min_inliers = 3;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
   EXPECT_NE(error.find("min_inliers"), std::string::npos);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "merging/two_drives.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -110,8 +111,8 @@ TEST(SearchAcrossOptions, NamesTheBound) {
   SearchAcrossOptions options;
   options.max_ratio = 2.0f;
   std::string error;
-  EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_NE(error.find("search.max_ratio = 2"), std::string::npos) << error;
+  EXPECT_FALSE(IsValid(options, &error));
+  EXPECT_NE(error.find("max_ratio = 2"), std::string::npos) << error;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "places/random_place_model.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -127,8 +128,8 @@ TEST(LearnChowLiuTree, MovesTowardsIndependenceWithMorePseudoImages) {
 
 TEST(ChowLiuOptions, RefusesNoPseudoImages) {
   std::string error;
-  EXPECT_FALSE((ChowLiuOptions{0.0}.IsValid(&error)));
-  EXPECT_EQ(error, "chow_liu.pseudo_images = 0: expected 0.01 to 1000");
+  EXPECT_FALSE((IsValid(ChowLiuOptions{0.0}, &error)));
+  EXPECT_EQ(error, "pseudo_images = 0: expected 0.01 to 1000");
 }
 
 TEST(IsValidTree, RefusesRingsTwoRootsMissingParentsAndCertainty) {

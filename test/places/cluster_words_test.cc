@@ -5,6 +5,7 @@
 #include <set>
 
 #include "rovio_sfm/places/vocabulary.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -130,9 +131,9 @@ TEST(ImproveWords, GivesAWordWithoutFeaturesTheFarthestOne) {
 
 TEST(ClusterOptions, NamesWhatDoesNotFit) {
   std::string error;
-  EXPECT_TRUE(ClusterOptions{}.IsValid(&error));
-  EXPECT_FALSE(OptionsFor(1).IsValid(&error));
-  EXPECT_EQ(error, "cluster.num_words = 1: expected 2 to 65536");
+  EXPECT_TRUE(IsValid(ClusterOptions{}, &error));
+  EXPECT_FALSE(IsValid(OptionsFor(1), &error));
+  EXPECT_EQ(error, "num_words = 1: expected 2 to 65536");
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rovio_sfm/util/check_options.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -28,11 +30,11 @@ TEST(DetectorOfWord, SeesFrequentWordsAgainMoreOften) {
 
 TEST(DetectorOptions, NamesWhatDoesNotFit) {
   std::string error;
-  EXPECT_TRUE(DetectorOptions{}.IsValid(&error));
-  EXPECT_FALSE((DetectorOptions{1.0, 0.0}.IsValid(&error)));
-  EXPECT_EQ(error, "detector.p_z_given_e = 1: expected 0.01 to 0.99");
-  EXPECT_FALSE((DetectorOptions{0.1, 0.1}.IsValid(&error)));
-  EXPECT_EQ(error, "detector.p_z_given_not_e: expected below p_z_given_e");
+  EXPECT_TRUE(IsValid(DetectorOptions{}, &error));
+  EXPECT_FALSE((IsValid(DetectorOptions{1.0, 0.0}, &error)));
+  EXPECT_EQ(error, "p_z_given_e = 1: expected 0.01 to 0.99");
+  EXPECT_FALSE((IsValid(DetectorOptions{0.1, 0.1}, &error)));
+  EXPECT_EQ(error, "p_z_given_not_e = 0.1: expected below p_z_given_e");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "places/random_place_model.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -159,9 +160,9 @@ TEST_F(FabmapTest, UsesMeanFieldWithoutTrainingPlaces) {
 
 TEST(FabmapOptions, NamesWhatDoesNotFit) {
   std::string error;
-  EXPECT_TRUE(FabmapOptions{}.IsValid(&error));
-  EXPECT_FALSE((FabmapOptions{NewPlaceModel::kSampled, 1.0}.IsValid(&error)));
-  EXPECT_EQ(error, "fabmap.new_place_prior = 1: expected 0.001 to 0.999");
+  EXPECT_TRUE(IsValid(FabmapOptions{}, &error));
+  EXPECT_FALSE((IsValid(FabmapOptions{NewPlaceModel::kSampled, 1.0}, &error)));
+  EXPECT_EQ(error, "new_place_prior = 1: expected 0.001 to 0.999");
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <numeric>
 
+#include "rovio_sfm/util/check_options.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -48,9 +50,9 @@ TEST(MotionPrior, IsEmptyWithoutPlaces) {
 
 TEST(MotionPriorOptions, NamesWhatDoesNotFit) {
   std::string error;
-  EXPECT_TRUE(MotionPriorOptions{}.IsValid(&error));
-  EXPECT_FALSE((MotionPriorOptions{0.5, 0.0}.IsValid(&error)));
-  EXPECT_EQ(error, "motion_prior.uniform_share = 0: expected 0.001 to 1");
+  EXPECT_TRUE(IsValid(MotionPriorOptions{}, &error));
+  EXPECT_FALSE((IsValid(MotionPriorOptions{0.5, 0.0}, &error)));
+  EXPECT_EQ(error, "uniform_share = 0: expected 0.001 to 1");
 }
 
 }  // namespace

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "rovio_sfm/util/check_options.h"
+
 namespace rovio_sfm {
 namespace {
 
 std::string ErrorOf(const PlaceRecognizerOptions& options) {
   std::string error;
-  const bool is_valid = options.IsValid(&error);
+  const bool is_valid = IsValid(options, &error);
   EXPECT_EQ(is_valid, error.empty());
   return error;
 }

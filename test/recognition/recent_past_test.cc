@@ -4,6 +4,8 @@
 
 #include <numeric>
 
+#include "rovio_sfm/util/check_options.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -92,8 +94,8 @@ TEST(RecentPast, FeaturesWithoutTrackCountForNothing) {
 
 TEST(RecentPastOptions, NamesWhatIsOutOfRange) {
   std::string error;
-  EXPECT_TRUE(RecentPastOptions().IsValid(&error));
-  EXPECT_FALSE(Options(0, 5).IsValid(&error));
+  EXPECT_TRUE(IsValid(RecentPastOptions(), &error));
+  EXPECT_FALSE(IsValid(Options(0, 5), &error));
   EXPECT_NE(error.find("min_keyframes"), std::string::npos);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "recognition/place_frames.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -100,9 +101,9 @@ TEST(MatchAround, StopsAtAFrameThatShowsAnotherPlace) {
 TEST(VerifyPlaceOptions, NamesWhatIsOutOfRange) {
   VerifyPlaceOptions options;
   std::string error;
-  EXPECT_TRUE(options.IsValid(&error));
+  EXPECT_TRUE(IsValid(options, &error));
   options.min_cells = 17;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
   EXPECT_NE(error.find("min_cells"), std::string::npos);
 }
 

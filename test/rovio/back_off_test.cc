@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rovio_sfm/util/check_options.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -22,9 +24,9 @@ TEST(BackOff, DoublesUpToItsCapAndBeginsAnewAfterASuccess) {
 TEST(BackOffOptions, RefusesNoWaitAtAll) {
   std::string error;
   BackOffOptions options;
-  EXPECT_TRUE(options.IsValid(&error));
+  EXPECT_TRUE(IsValid(options, &error));
   options.first_delay_s = 0.0;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "rovio/scripted_server.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -167,16 +168,16 @@ TEST(CurlTransportOptions, TakeHostNamesOnly) {
   CurlTransportOptions options;
   for (const char* const host : {"192.168.10.18", "rovio1", "rovio-1.local"}) {
     options.host = host;
-    EXPECT_TRUE(options.IsValid(&error)) << host;
+    EXPECT_TRUE(IsValid(options, &error)) << host;
   }
   for (const char* const host : {"", "http://rovio", "a b", "rovio/x", "user@rovio", "rovio:80",
                                  "-x", "rovio?x", "rovio#"}) {
     options.host = host;
-    EXPECT_FALSE(options.IsValid(&error)) << host;
+    EXPECT_FALSE(IsValid(options, &error)) << host;
   }
   options.host = "rovio";
   options.port = 70000;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
 }
 
 }  // namespace

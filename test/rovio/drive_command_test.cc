@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rovio_sfm/util/check_options.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -121,12 +123,12 @@ TEST(DriveScheduler, GivesUpToStopARobotThatIsGone) {
 TEST(DriveOptions, RefusesTablesThatDoNotFallAndOddTimes) {
   std::string error;
   DriveOptions options;
-  EXPECT_TRUE(options.IsValid(&error)) << error;
+  EXPECT_TRUE(IsValid(options, &error)) << error;
   options.speed_m_per_s[3] = 1.0;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
   options = {};
   options.repeat_period_ns = 1000000000;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rovio_sfm/util/check_options.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -31,9 +33,9 @@ TEST(CameraLinkFromOptical, LooksForwardWithImageDownBeingDown) {
 TEST(HeadGeometryOptions, RefuseHeadPositionsInTheWrongOrder) {
   std::string error;
   HeadGeometryOptions options;
-  EXPECT_TRUE(options.IsValid(&error));
+  EXPECT_TRUE(IsValid(options, &error));
   options.head_position_down = 60;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
 }
 
 }  // namespace

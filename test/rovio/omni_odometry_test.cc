@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "rovio_sfm/util/check_options.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -113,10 +115,10 @@ TEST(OmniOdometry, ALostReadingMakesItUncertainNotMoving) {
 TEST(OmniOdometryOptions, NamesWhatIsOutOfRange) {
   std::string error;
   OmniOdometryOptions options;
-  EXPECT_TRUE(options.IsValid(&error));
+  EXPECT_TRUE(IsValid(options, &error));
   options.wheel_sign[1] = 0;
-  EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_EQ(error, "wheel_sign must be three times 1 or -1");
+  EXPECT_FALSE(IsValid(options, &error));
+  EXPECT_EQ(error, "wheel_sign = [1, 0, 1]: expected three times 1 or -1");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rovio_sfm/util/check_options.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
@@ -127,10 +128,10 @@ TEST(Targets, AreThoseOfTheRobot) {
 TEST(CameraSettings, NamesTheSettingThatIsOutOfRange) {
   std::string error;
   CameraSettings settings;
-  EXPECT_TRUE(settings.IsValid(&error));
+  EXPECT_TRUE(IsValid(settings, &error));
   settings.resolution = 4;
-  EXPECT_FALSE(settings.IsValid(&error));
-  EXPECT_EQ(error, "resolution is 4, must be 0 … 3");
+  EXPECT_FALSE(IsValid(settings, &error));
+  EXPECT_EQ(error, "resolution = 4: expected 0 to 3");
 }
 
 TEST(Parsers, SurviveRandomDamage) {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "rovio_sfm/util/check_options.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -67,9 +69,9 @@ TEST(SteerTo, KeepsItsSpeedsWithinBounds) {
 TEST(SteerOptions, RefuseNoTolerance) {
   std::string error;
   SteerOptions options;
-  EXPECT_TRUE(options.IsValid(&error));
+  EXPECT_TRUE(IsValid(options, &error));
   options.position_tolerance_m = 0.0;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
 }
 
 }  // namespace

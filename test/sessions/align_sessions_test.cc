@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rovio_sfm/util/check_options.h"
 #include "sessions/cross_matches.h"
 
 namespace rovio_sfm {
@@ -206,9 +207,9 @@ TEST(SimilarityFromCamera, GivesOneCameraBothPoses) {
 TEST(AlignOptions, NameWhatIsOutOfRange) {
   AlignOptions options;
   std::string error;
-  EXPECT_TRUE(options.IsValid(&error));
+  EXPECT_TRUE(IsValid(options, &error));
   options.min_common = 2;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
   EXPECT_NE(error.find("min_common"), std::string::npos);
 }
 

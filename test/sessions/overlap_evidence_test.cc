@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "rovio_sfm/util/check_options.h"
 #include "synthetic/synthetic_world.h"
 
 namespace rovio_sfm {
@@ -128,9 +129,9 @@ TEST(JudgeOverlap, AsksTheNeighboursForTheScale) {
 TEST(EvidenceOptions, NameWhatIsOutOfRange) {
   EvidenceOptions options;
   std::string error;
-  EXPECT_TRUE(options.IsValid(&error));
+  EXPECT_TRUE(IsValid(options, &error));
   options.min_rows = 5;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
   EXPECT_NE(error.find("min_rows"), std::string::npos);
 }
 

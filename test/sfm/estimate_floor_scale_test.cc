@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "rovio_sfm/geometry/sim3.h"
+#include "rovio_sfm/util/check_options.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
@@ -164,8 +165,8 @@ TEST(FloorScaleOptions, NamesWhatDoesNotFit) {
   FloorScaleOptions options;
   options.max_gap_share = 0.9;
   std::string error;
-  EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_EQ(error, "floor.max_gap_share = 0.9: expected 0.01 to 0.3");
+  EXPECT_FALSE(IsValid(options, &error));
+  EXPECT_EQ(error, "max_gap_share = 0.9: expected 0.01 to 0.3");
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rovio_sfm/util/check_options.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -70,7 +72,7 @@ TEST(OdometryGateOptions, NameTheBoundThatIsBroken) {
   OdometryGateOptions options;
   options.max_rotation_gap_deg = 200.0;
   std::string error;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
   EXPECT_NE(error.find("max_rotation_gap_deg"), std::string::npos) << error;
 }
 

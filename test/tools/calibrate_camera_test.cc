@@ -6,6 +6,7 @@
 
 #include "rovio_sfm/io/calibration.h"
 #include "rovio_sfm/tools/list_images.h"
+#include "rovio_sfm/util/check_options.h"
 #include "tools/command_line.h"
 #include "util/temporary_folder.h"
 
@@ -49,9 +50,9 @@ TEST(CalibrateCamera, SaysWhereNoBoardIs) {
 TEST(CalibrateCameraOptions, NamesTheBadOption) {
   std::string error;
   CalibrateCameraOptions options;
-  EXPECT_TRUE(options.IsValid(&error));
+  EXPECT_TRUE(IsValid(options, &error));
   options.rows = 2;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
   EXPECT_NE(error.find("rows"), std::string::npos);
 }
 

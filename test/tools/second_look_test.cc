@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "features/test_images.h"
+#include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
@@ -51,11 +52,11 @@ TEST(TakeSecondLook, DependsOnTheSeedOnly) {
 
 TEST(SecondLookOptions, NamesWhatDoesNotFit) {
   std::string error;
-  EXPECT_TRUE(SecondLookOptions{}.IsValid(&error));
+  EXPECT_TRUE(IsValid(SecondLookOptions{}, &error));
   SecondLookOptions options;
   options.max_zoom = 0.5;
-  EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_EQ(error, "second_look.max_zoom = 0.5: expected 1 to 4");
+  EXPECT_FALSE(IsValid(options, &error));
+  EXPECT_EQ(error, "max_zoom = 0.5: expected 1 to 4");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "rovio_sfm/util/check_options.h"
 #include "tools/training_folder.h"
 
 namespace rovio_sfm {
@@ -80,11 +81,11 @@ TEST_F(TrainPlacesTest, RefusesImagesWithoutFeatures) {
 
 TEST(TrainPlacesOptions, NamesWhatDoesNotFit) {
   std::string error;
-  EXPECT_TRUE(TrainPlacesOptions{}.IsValid(&error)) << error;
+  EXPECT_TRUE(IsValid(TrainPlacesOptions{}, &error)) << error;
   TrainPlacesOptions options;
   options.frontend.extract.type = DescriptorType::kOrb;
-  EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_EQ(error, "train_places.frontend.extract.type: expected sift");
+  EXPECT_FALSE(IsValid(options, &error));
+  EXPECT_EQ(error, "frontend.extract.type = orb: expected sift");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rovio_sfm/util/check_options.h"
 #include "synthetic/synthetic_world.h"
 
 namespace rovio_sfm {
@@ -83,9 +84,9 @@ TEST(PassesFilterF2, DoesNotDependOnTheOriginUnlikeTheThesis) {
 TEST(FilterF2Options, NamesTheBadField) {
   std::string error;
   FilterF2Options options;
-  EXPECT_TRUE(options.IsValid(&error));
+  EXPECT_TRUE(IsValid(options, &error));
   options.max_chi_square = 0.0;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
   EXPECT_NE(error.find("max_chi_square"), std::string::npos);
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "rovio_sfm/util/check_options.h"
 #include "rovio_sfm/util/union_find.h"
 #include "synthetic/synthetic_world.h"
 
@@ -143,9 +144,9 @@ TEST(TrackBuilder, FindsOneTrackPerPointOfASyntheticWorld) {
 TEST(TrackOptions, NamesTheBadField) {
   std::string error;
   TrackOptions options;
-  EXPECT_TRUE(options.IsValid(&error));
+  EXPECT_TRUE(IsValid(options, &error));
   options.remembered_frames = 0;
-  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_FALSE(IsValid(options, &error));
   EXPECT_NE(error.find("remembered_frames"), std::string::npos);
 }
 

@@ -6,22 +6,32 @@
 #include <string>
 
 #include "rovio_sfm/app/image_gate.h"
+#include "rovio_sfm/app/robot_names.h"
 #include "rovio_sfm/app/sensor_options.h"
 #include "rovio_sfm/frontend/frontend_options.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 // The private parameters of frontend_node.
 struct FrontendNodeOptions {
-  std::string robot;       // name in every event; empty: the last part of the node's namespace
-  bool compressed = true;  // subscribe image_raw/compressed; else image_raw
-  uint64_t seed = 1;       // of everything random in the frontend
-  double diagnostic_period = 1.0;  // s between two diagnostics
-  GateOptions gate;                // group "gate"
-  SensorOptions sensors;           // group "sensors"
-  FrontendOptions frontend;        // group "frontend": config/frontend.yaml
+  std::string robot;
+  bool compressed = true;
+  uint64_t seed = 1;
+  double diagnostic_period = 1.0;
+  GateOptions gate;
+  SensorOptions sensors;
+  FrontendOptions frontend;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    AddRobotName(table, robot, "name in every event; missing: last part of the node's namespace");
+    table.AddFlag("compressed", compressed, "subscribe image_raw/compressed; else image_raw");
+    table.AddNumber("seed", seed, 0, kNoLimit, "of everything random in the frontend");
+    table.AddNumber("diagnostic_period", diagnostic_period, 0.1, 60.0, "s between two diagnostics");
+    table.AddGroup("gate", gate, "an image waits for its camera_info and odometry");
+    table.AddGroup("sensors", sensors, "what a robot says of itself, put together with its images");
+    table.AddGroup("frontend", frontend, "config/frontend.yaml");
+  }
 };
 
 // Reads the parameters and logs the effective ones; throws std::runtime_error naming the first that

@@ -8,16 +8,21 @@
 #include <vector>
 
 #include "rovio_sfm/scene/events.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 // How long an image may wait for the odometry and the head's pose at its stamp, which come on
 // topics of their own.
 struct GateOptions {
-  double max_wait_s = 0.3;      // then it goes without; 0 to 10
-  double startup_wait_s = 1.0;  // so long after the first image both are still expected; 0 to 60
+  double max_wait_s = 0.3;
+  double startup_wait_s = 1.0;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("max_wait_s", max_wait_s, 0.0, 10.0, "then an image goes without");
+    table.AddNumber("startup_wait_s", startup_wait_s, 0.0, 60.0,
+                    "so long after the first image both are still expected");
+  }
 };
 
 // An image as it came.

@@ -5,22 +5,34 @@
 #include <string>
 #include <vector>
 
+#include "rovio_sfm/app/robot_names.h"
 #include "rovio_sfm/merging/map_options.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 // The private parameters of mapping_node.
 struct MappingNodeOptions {
-  std::vector<std::string> robots = {"rovio1"};  // whose /<robot>/frames are mapped; 1 to 32
-  std::string output_dir;        // where maps are written; empty: nothing is, export_map is refused
-  bool overwrite = false;        // the map written at the end may replace an older one
-  double cloud_period_s = 1.0;   // the cloud goes out no more often; 0.1 to 60
-  double drain_s = 10.0;         // at the end, for frames that are queued; 0 to 3600
-  double fetch_timeout_s = 5.0;  // missing frames that do not come by then are lost; 0.1 to 600
-  double diagnostic_period = 1.0;  // s between two diagnostics; 0.1 to 60
-  MapOptions mapper;               // group "mapper": config/mapping.yaml
+  std::vector<std::string> robots = {"rovio1"};
+  std::string output_dir;
+  bool overwrite = false;
+  double cloud_period_s = 1.0;
+  double drain_s = 10.0;
+  double fetch_timeout_s = 5.0;
+  double diagnostic_period = 1.0;
+  MapOptions mapper;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    AddRobotNames(table, robots, "whose /<robot>/frames are mapped");
+    table.AddText("output_dir", output_dir, "of maps; empty: none written, export_map is refused");
+    table.AddFlag("overwrite", overwrite, "the map written at the end may replace an older one");
+    table.AddNumber("cloud_period_s", cloud_period_s, 0.1, 60.0, "the cloud goes out no oftener");
+    table.AddNumber("drain_s", drain_s, 0.0, 3600.0, "at the end, for frames that are queued");
+    table.AddNumber("fetch_timeout_s", fetch_timeout_s, 0.1, 600.0,
+                    "missing frames that do not come by then are lost");
+    table.AddNumber("diagnostic_period", diagnostic_period, 0.1, 60.0, "s between two diagnostics");
+    table.AddGroup("mapper", mapper, "config/mapping.yaml");
+  }
 };
 
 // Reads the parameters and logs the effective ones; throws std::runtime_error naming the first that

@@ -13,6 +13,7 @@
 #include "rovio_sfm/report/matching_funnel.h"
 #include "rovio_sfm/scene/memory_frame_store.h"
 #include "rovio_sfm/util/executor.h"
+#include "rovio_sfm/util/option_table.h"
 #include "rovio_sfm/util/stage_times.h"
 #include "rovio_sfm/util/worker.h"
 
@@ -25,10 +26,15 @@ struct OfflineMapperOptions {
   // Algorithms 1 to 3 of the thesis (§4.3), in their phases: the features of all drives, the places
   // of all frames, then one session after the other, each seeded from those before.
   bool seeded = false;
-  int num_threads = 2;  // 1: everything on the caller's thread; 1 to 64; never changes the result
+  int num_threads = 2;
   uint64_t seed = 1;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddGroup("frontend", frontend, "");
+    table.AddGroup("mapper", mapper, "");
+    table.AddGroup("places", places, "");
+    table.AddNumber("num_threads", num_threads, 1, 64, "1: the caller's; never changes the result");
+  }
 };
 
 // Maps drives one after the other, without a clock: images are prepared ahead on a pool, matched

@@ -6,7 +6,6 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace rovio_sfm {
@@ -40,11 +39,6 @@ class OptionReader {
     ReadScalar(name, "a list of whole numbers", value);
   }
 
-  // One of the names given; the value is its enumerator.
-  template <typename Enum>
-  void ReadChoice(const std::string& name, const std::vector<std::pair<std::string, Enum>>& choices,
-                  Enum* value);
-
   // The group of that name below this one; empty where it is missing.
   OptionReader Group(const std::string& name);
 
@@ -68,23 +62,5 @@ class OptionReader {
   std::set<std::string> known_;
   std::shared_ptr<std::vector<std::string>> effective_;  // shared with the groups below
 };
-
-template <typename Enum>
-void OptionReader::ReadChoice(const std::string& name,
-                              const std::vector<std::pair<std::string, Enum>>& choices,
-                              Enum* value) {
-  std::string chosen, expected;
-  for (const auto& [choice, enumerator] : choices) {
-    if (enumerator == *value) chosen = choice;
-    expected += (expected.empty() ? "" : ", ") + choice;
-  }
-  Read(name, &chosen);
-  for (const auto& [choice, enumerator] : choices) {
-    if (choice != chosen) continue;
-    *value = enumerator;
-    return;
-  }
-  Fail(name, "expected one of " + expected);
-}
 
 }  // namespace rovio_sfm

@@ -2,17 +2,26 @@
 
 #include <string>
 
+#include "rovio_sfm/util/option_table.h"
+
 namespace rovio_sfm {
 
 // How what a robot says of itself is put together with its images.
 struct SensorOptions {
-  std::string base_frame;        // tf frame of the robot's body; empty: <robot>/base_link
-  double image_latency_s = 0.0;  // an image was taken so long before its stamp; -1 to 1
-  double odom_latency_s = 0.0;   // so was an odometry sample; -1 to 1
-  double max_odom_gap_s = 0.5;   // wider gaps are not interpolated; 0.01 to 10
-  double odom_memory_s = 20.0;   // how long odometry is kept; 1 to 1e6
+  std::string base_frame;
+  double image_latency_s = 0.0;
+  double odom_latency_s = 0.0;
+  double max_odom_gap_s = 0.5;
+  double odom_memory_s = 20.0;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddText("base_frame", base_frame, "tf frame of the body; empty: <robot>/base_link");
+    table.AddNumber("image_latency_s", image_latency_s, -1.0, 1.0,
+                    "an image was taken so long before its stamp");
+    table.AddNumber("odom_latency_s", odom_latency_s, -1.0, 1.0, "so was an odometry sample");
+    table.AddNumber("max_odom_gap_s", max_odom_gap_s, 0.01, 10.0, "wider ones stay gaps");
+    table.AddNumber("odom_memory_s", odom_memory_s, 1.0, 1e6, "how long odometry is kept");
+  }
 };
 
 }  // namespace rovio_sfm

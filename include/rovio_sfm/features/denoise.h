@@ -3,16 +3,24 @@
 #include <opencv2/core.hpp>
 #include <string>
 
+#include "rovio_sfm/util/option_table.h"
+
 namespace rovio_sfm {
 
 // The bilateral filter before extraction (§3.3).
 struct DenoiseOptions {
   bool enabled = true;
-  int diameter_px = 3;           // 3 to 15, odd; the thesis's value
-  double sigma_color = 50.0;     // grey levels, 1 to 255; the thesis's value
-  double sigma_space_px = 50.0;  // 0.1 to 200; the thesis's value
+  int diameter_px = 3;
+  double sigma_color = 50.0;
+  double sigma_space_px = 50.0;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddFlag("enabled", enabled, "the thesis's values follow");
+    table.AddNumber("diameter_px", diameter_px, 3, 15, "");
+    table.AddRule("diameter_px", diameter_px % 2 == 1, "an odd number");
+    table.AddNumber("sigma_color", sigma_color, 1.0, 255.0, "grey levels");
+    table.AddNumber("sigma_space_px", sigma_space_px, 0.1, 200.0, "");
+  }
 };
 
 // The image with noise reduced and edges kept; the image itself (shared) where it is off.

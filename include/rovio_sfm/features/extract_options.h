@@ -3,28 +3,47 @@
 #include <string>
 
 #include "rovio_sfm/scene/frame.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 // What ExtractFeatures finds in an image (§3.3).
 struct ExtractOptions {
   DescriptorType type = DescriptorType::kSift;  // kNone is refused
-  int max_features = 1000;  // 16 to 20000; at 1000 a keyframe event stays below 200 kB
-  // Candidates wanted before the even spread chooses, as a multiple of max_features; 1 to 10.
+  int max_features = 1000;
   double candidate_factor = 1.25;
-  // Least contrast of a SIFT candidate (OpenCV's scale); low, because the spread chooses. 1e-4 to
-  // 0.2
   double sift_contrast = 0.004;
-  double sift_edge = 10.0;        // greatest edge ratio of a SIFT candidate; 2 to 100
-  bool upsample = true;           // SIFT: also features of the doubled image (first octave -1)
-  int orb_threshold = 7;          // least FAST contrast, grey levels; 1 to 100
-  double akaze_threshold = 3e-4;  // least AKAZE response; 1e-6 to 0.1
-  double surf_threshold = 8.0;    // least dlib SURF response; 0.1 to 1000
-  int cell_px = 48;               // side of a cell of the even spread; 8 to 1024
-  double min_distance_px = 2.0;   // nearer features are one (§6.2); 0 to 50
-  int border_px = 3;              // no features nearer to the image's edge; 0 to 100
+  double sift_edge = 10.0;
+  bool upsample = true;
+  int orb_threshold = 7;
+  double akaze_threshold = 3e-4;
+  double surf_threshold = 8.0;
+  int cell_px = 48;
+  double min_distance_px = 2.0;
+  int border_px = 3;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddChoice("type", type,
+                    {{"sift", DescriptorType::kSift},
+                     {"orb", DescriptorType::kOrb},
+                     {"akaze", DescriptorType::kAkaze},
+                     {"surf", DescriptorType::kSurf}},
+                    "of features and descriptors");
+    table.AddLiveNumber("max_features", max_features, 16, 20000,
+                        "of an image; at 1000 a keyframe event stays below 200 kB");
+    table.AddNumber("candidate_factor", candidate_factor, 1.0, 10.0,
+                    "wanted before the even spread, times max_features");
+    table.AddLiveNumber("sift_contrast", sift_contrast, 1e-4, 0.2,
+                        "least; low, because the spread chooses");
+    table.AddNumber("sift_edge", sift_edge, 2.0, 100.0, "greatest edge ratio");
+    table.AddFlag("upsample", upsample, "SIFT: also features of the doubled image");
+    table.AddNumber("orb_threshold", orb_threshold, 1, 100, "least FAST contrast, grey levels");
+    table.AddNumber("akaze_threshold", akaze_threshold, 1e-6, 0.1, "least response");
+    table.AddNumber("surf_threshold", surf_threshold, 0.1, 1000.0, "least response, dlib's scale");
+    table.AddNumber("cell_px", cell_px, 8, 1024, "side of a cell of the even spread");
+    table.AddLiveNumber("min_distance_px", min_distance_px, 0.0, 50.0, "nearer features are one");
+    table.AddNumber("border_px", border_px, 0, 100, "no features nearer to the image's edge");
+  }
 };
 
 // "sift", "orb", "akaze" or "surf"; nothing for any other name.

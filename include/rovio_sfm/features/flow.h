@@ -5,18 +5,29 @@
 #include <string>
 #include <vector>
 
+#include "rovio_sfm/util/option_table.h"
+
 namespace rovio_sfm {
 
 // Pyramidal Lucas-Kanade flow with a forward-backward check.
 struct FlowOptions {
-  int window_px = 21;                  // side of the patch; 5 to 61, odd
-  int levels = 3;                      // pyramid levels above the image; 0 to 6
-  int max_iterations = 30;             // per level; 1 to 100
-  double convergence_px = 0.01;        // step that ends the iteration; 1e-4 to 1
-  double max_backward_error_px = 0.5;  // there and back again must end here; 0.01 to 10
-  double min_eigenvalue = 1e-4;        // least texture of a patch (OpenCV's scale); 0 to 1
+  int window_px = 21;
+  int levels = 3;
+  int max_iterations = 30;
+  double convergence_px = 0.01;
+  double max_backward_error_px = 0.5;
+  double min_eigenvalue = 1e-4;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("window_px", window_px, 5, 61, "side of the patch");
+    table.AddRule("window_px", window_px % 2 == 1, "an odd number");
+    table.AddNumber("levels", levels, 0, 6, "of the pyramid above the image");
+    table.AddNumber("max_iterations", max_iterations, 1, 100, "per level");
+    table.AddNumber("convergence_px", convergence_px, 1e-4, 1.0, "step that ends the iteration");
+    table.AddLiveNumber("max_backward_error_px", max_backward_error_px, 0.01, 10.0,
+                        "there and back again must end here");
+    table.AddNumber("min_eigenvalue", min_eigenvalue, 0.0, 1.0, "least texture, OpenCV's scale");
+  }
 };
 
 // An image prepared for flow.

@@ -9,6 +9,7 @@
 
 #include "rovio_sfm/features/flow.h"
 #include "rovio_sfm/geometry/camera.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
@@ -20,18 +21,30 @@ enum class KeyframeMode : uint8_t {
 // Which images become keyframes (§6.2 lists the choice as missing).
 struct ChooseOptions {
   KeyframeMode mode = KeyframeMode::kEvery;
-  int num_corners = 200;          // followed at half size; 20 to 2000
-  double min_flow_rad = 0.02;     // median flow without its rotation; 0.001 to 1
-  double min_rotation_rad = 0.1;  // since the keyframe; 0.01 to 1
-  double min_tracked_share =
-      0.7;  // fewer of the keyframe's corners left: overlap is being lost; 0 to 1
-  // Sharpness below this share of the drive's running median delays a keyframe; 0 to 1.
+  int num_corners = 200;
+  double min_flow_rad = 0.02;
+  double min_rotation_rad = 0.1;
+  double min_tracked_share = 0.7;
   double blurred_share = 0.7;
-  double spoilt_share = 0.2;  // below it the image is dropped; 0 to blurred_share
-  int max_delay = 8;          // images a blurred keyframe may be put off; 0 to 100
-  int sharpness_window = 31;  // images of the running median; 1 to 1000
+  double spoilt_share = 0.2;
+  int max_delay = 8;
+  int sharpness_window = 31;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddChoice("mode", mode,
+                    {{"every", KeyframeMode::kEvery}, {"parallax", KeyframeMode::kParallax}},
+                    "every: stop-and-shoot; parallax: video");
+    table.AddLiveNumber("num_corners", num_corners, 20, 2000, "followed at half size");
+    table.AddLiveNumber("min_flow_rad", min_flow_rad, 0.001, 1.0, "median, without its rotation");
+    table.AddLiveNumber("min_rotation_rad", min_rotation_rad, 0.01, 1.0, "since the last keyframe");
+    table.AddLiveNumber("min_tracked_share", min_tracked_share, 0.0, 1.0,
+                        "of the last keyframe's corners: below, overlap is being lost");
+    table.AddLiveNumber("blurred_share", blurred_share, 0.0, 1.0, "of the median: below, put off");
+    table.AddLiveNumber("spoilt_share", spoilt_share, 0.0, 1.0, "below, the image is dropped");
+    table.AddRule("spoilt_share", spoilt_share <= blurred_share, "at most blurred_share");
+    table.AddLiveNumber("max_delay", max_delay, 0, 100, "images a blurred keyframe may be put off");
+    table.AddNumber("sharpness_window", sharpness_window, 1, 1000, "images of the running median");
+  }
 };
 
 // The camera's motion since the last keyframe, as far as a cheap tracker sees it.

@@ -9,17 +9,25 @@
 #include "rovio_sfm/geometry/camera.h"
 #include "rovio_sfm/scene/frame.h"
 #include "rovio_sfm/scene/ids.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 // Light frames: the last keyframe's features followed by flow (§5.1.2).
 struct LightOptions {
-  bool enabled = true;     // off: images that are no keyframes give no event
-  int max_features = 250;  // keeps the event below 10 kB; 10 to 2000
-  int min_features = 20;   // fewer give no light frame; 1 to max_features
+  bool enabled = true;
+  int max_features = 250;
+  int min_features = 20;
   FlowOptions flow;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddFlag("enabled", enabled, "false: images that are no keyframes give no event");
+    table.AddLiveNumber("max_features", max_features, 10, 2000,
+                        "followed after a keyframe; at 250 the event stays below 10 kB");
+    table.AddLiveNumber("min_features", min_features, 1, 2000, "fewer give no light frame");
+    table.AddRule("min_features", min_features <= max_features, "at most max_features");
+    table.AddGroup("flow", flow, "");
+  }
 };
 
 struct LightFeatures {

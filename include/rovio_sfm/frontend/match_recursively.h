@@ -8,17 +8,23 @@
 
 #include "rovio_sfm/matching/match_pair.h"
 #include "rovio_sfm/sfm/odometry_gate.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 // How far back a keyframe is matched (§3.4.1).
 struct RecursionOptions {
-  int min_matches = 30;  // τ_m: with fewer verified matches a pair ends the recursion; 5 to 10000
-  int max_frames = 8;    // τ_l: keyframes tried; 1 to 100
-  int max_misses = 1;    // pairs below τ_m that are passed over first; 0 to 10
+  int min_matches = 30;
+  int max_frames = 8;
+  int max_misses = 1;
   OdometryGateOptions odometry_gate;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddLiveNumber("min_matches", min_matches, 5, 10000, "τ_m: a pair with fewer ends it");
+    table.AddLiveNumber("max_frames", max_frames, 1, 100, "τ_l: keyframes tried");
+    table.AddLiveNumber("max_misses", max_misses, 0, 10, "pairs below τ_m passed over first");
+    table.AddGroup("odometry_gate", odometry_gate, "refuses what the wheels contradict (§3.5)");
+  }
 };
 
 // A keyframe that later ones are matched with.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -20,8 +19,6 @@ struct RansacOptions {
   // PROSAC (Chum 2005): the data are sorted, best first, and early samples come from the best ones.
   // After this many samples all data take part; 0 draws from all at once.
   int prosac_samples = 0;
-
-  bool IsValid(std::string* error) const;
 };
 
 template <typename Model>

@@ -4,62 +4,109 @@
 #include <string>
 
 #include "rovio_sfm/tracks/filter_f2.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 // When two held frames may start a session (§3.7, design 5.2.1).
 struct BootstrapOptions {
-  int max_held_frames = 120;       // keyframes, 4 to 1000; the oldest goes when one more comes
-  int min_inliers = 100;           // 20 to 10000
-  double min_angle_deg = 4.0;      // median parallax of the inliers, 0.5 to 45
-  double wished_angle_deg = 16.0;  // taken at once from here, min_angle_deg to 60
-  int patience = 5;                // keyframes to wait for a wider pair after the first good one
-  int hurry_after = 10;            // held keyframes from which hurried_angle_deg will do, 2 to 1000
-  double hurried_angle_deg = 2.0;  // driving forward shows no more, 0.5 to min_angle_deg
-  bool IsValid(std::string* error) const;
+  int max_held_frames = 120;
+  int min_inliers = 100;
+  double min_angle_deg = 4.0;
+  double wished_angle_deg = 16.0;
+  int patience = 5;
+  int hurry_after = 10;
+  double hurried_angle_deg = 2.0;
+
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("max_held_frames", max_held_frames, 4, 1000, "keyframes; then the oldest goes");
+    table.AddNumber("min_inliers", min_inliers, 20, 10000, "of a pair");
+    table.AddNumber("min_angle_deg", min_angle_deg, 0.5, 45.0, "median parallax of the inliers");
+    table.AddNumber("wished_angle_deg", wished_angle_deg, 0.5, 60.0, "taken at once from here");
+    table.AddRule("wished_angle_deg", wished_angle_deg >= min_angle_deg, "at least min_angle_deg");
+    table.AddNumber("patience", patience, 1, 1000, "keyframes after a good pair for a wider one");
+    table.AddNumber("hurry_after", hurry_after, 2, 1000,
+                    "held keyframes from which hurried_angle_deg will do");
+    table.AddNumber("hurried_angle_deg", hurried_angle_deg, 0.5, 45.0,
+                    "driving forward shows no more");
+    table.AddRule("hurried_angle_deg", hurried_angle_deg <= min_angle_deg, "at most min_angle_deg");
+  }
 };
 
 struct ResectOptions {
-  double threshold_px = 3.0;  // inlier in RANSAC, 0.5 to 50
-  int min_inliers = 20;       // fewer: the frame is weak, 6 to 1000
-  int max_iterations = 300;   // 10 to 100000
-  bool IsValid(std::string* error) const;
+  double threshold_px = 3.0;
+  int min_inliers = 20;
+  int max_iterations = 300;
+
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("threshold_px", threshold_px, 0.5, 50.0, "largest error of an inlier");
+    table.AddNumber("min_inliers", min_inliers, 6, 1000, "fewer: the frame is weak");
+    table.AddNumber("max_iterations", max_iterations, 10, 100000, "samples");
+  }
 };
 
 struct TriangulateOptions {
-  double min_parallax_deg = 1.5;  // 0.1 to 30
-  double max_error_px = 4.0;      // reprojection error of an observation, 0.5 to 50
-  bool IsValid(std::string* error) const;
+  double min_parallax_deg = 1.5;
+  double max_error_px = 4.0;
+
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("min_parallax_deg", min_parallax_deg, 0.1, 30.0, "of the widest two views");
+    table.AddNumber("max_error_px", max_error_px, 0.5, 50.0, "reprojection of an observation");
+  }
 };
 
 struct AdjustOptions {
-  int local_frames = 10;  // free frames of a local adjustment, 2 to 50
-  // Of the local, session and map adjustments of a running drive, 1 to 200; the next goes on.
+  int local_frames = 10;
   int running_max_iterations = 10;
-  int final_max_iterations = 50;  // of those at the end of a session or a run, 1 to 1000
-  double global_growth =
-      0.1;  // a global one when frames or landmarks grew by this share, 0.01 to 10
-  int max_global_frames = 500;  // larger maps are adjusted by windows of so many, 10 to 100000
-  double loss_px = 1.0;         // scale of the robust loss, 0.1 to 20
-  bool IsValid(std::string* error) const;
+  int final_max_iterations = 50;
+  double global_growth = 0.1;
+  int max_global_frames = 500;
+  double loss_px = 1.0;
+
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("local_frames", local_frames, 2, 50, "free ones of a local adjustment");
+    table.AddNumber(
+        "running_max_iterations", running_max_iterations, 1, 200,
+        "of the local, session and map adjustments of a running drive; the next goes on");
+    table.AddNumber("final_max_iterations", final_max_iterations, 1, 1000,
+                    "of those at the end of a session or a run");
+    table.AddNumber("global_growth", global_growth, 0.01, 10.0,
+                    "a global one when frames or landmarks grew by this share");
+    table.AddNumber("max_global_frames", max_global_frames, 10, 100000, "larger maps: by windows");
+    table.AddNumber("loss_px", loss_px, 0.1, 20.0, "scale of the robust loss");
+  }
 };
 
 struct PruneOptions {
-  double max_error_px = 4.0;        // tau_r, 0.5 to 50
-  double final_error_sigmas = 6.0;  // in the final adjustment: of the robust spread, 1 to 20
-  bool IsValid(std::string* error) const;
+  double max_error_px = 4.0;
+  double final_error_sigmas = 6.0;
+
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("max_error_px", max_error_px, 0.5, 50.0, "τ_r");
+    table.AddNumber("final_error_sigmas", final_error_sigmas, 1.0, 20.0,
+                    "in the final adjustment: of the robust spread");
+  }
 };
 
 struct ScaleOptions {
-  double min_distance_m = 0.3;        // length of a window, 0.05 to 10
-  double max_rotation_gap_deg = 2.0;  // odometry and vision must agree that well, 0.1 to 45
-  double odometry_gain_sigma = 0.05;  // relative; averaging never goes below it, 0.001 to 1
-  double sideways_sigma = 0.2;        // relative uncertainty of sideways motion, 0 to 1
-  // Of the camera over a flat floor, with the head as in the session's first keyframe; 0: not
-  // known; 0 to 10. A second source of scale, and the only one without odometry.
+  double min_distance_m = 0.3;
+  double max_rotation_gap_deg = 2.0;
+  double odometry_gain_sigma = 0.05;
+  double sideways_sigma = 0.2;
   double camera_height_m = 0.0;
-  double camera_height_sigma = 0.03;  // relative, 0.001 to 1
-  bool IsValid(std::string* error) const;
+  double camera_height_sigma = 0.03;
+
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("min_distance_m", min_distance_m, 0.05, 10.0, "length of a window");
+    table.AddNumber("max_rotation_gap_deg", max_rotation_gap_deg, 0.1, 45.0,
+                    "odometry and vision must agree that well");
+    table.AddNumber("odometry_gain_sigma", odometry_gain_sigma, 0.001, 1.0,
+                    "relative; averaging never goes below it");
+    table.AddNumber("sideways_sigma", sideways_sigma, 0.0, 1.0, "relative, of sideways motion");
+    table.AddNumber("camera_height_m", camera_height_m, 0.0, 10.0,
+                    "over a flat floor, head as in the first keyframe; 0: not known");
+    table.AddNumber("camera_height_sigma", camera_height_sigma, 0.001, 1.0, "relative");
+  }
 };
 
 // How a drive is mapped.
@@ -70,14 +117,30 @@ struct MapperOptions {
   AdjustOptions adjust;
   PruneOptions prune;
   ScaleOptions scale;
-  FilterF2Options f2;           // when two landmarks of linked tracks become one
-  int max_weak_frames = 3;      // more in a row end the session as lost, 0 to 100
-  int max_weak_tries = 10;      // later keyframes at which a weak one is tried again, 1 to 1000
-  double pixel_sigma_px = 1.0;  // position of a small feature, 0.1 to 20
-  double sigma_size_px = 6.0;   // features larger than that are less certain, 1 to 100
-  double sigma_exponent = 0.5;  // sigma grows with (size / sigma_size_px) to this power, 0 to 2
+  FilterF2Options f2;
+  int max_weak_frames = 3;
+  int max_weak_tries = 10;
+  double pixel_sigma_px = 1.0;
+  double sigma_size_px = 6.0;
+  double sigma_exponent = 0.5;
   uint64_t seed = 1;
-  bool IsValid(std::string* error) const;
+
+  void DescribeOptions(OptionTable& table) {
+    table.AddGroup("bootstrap", bootstrap, "when two held frames may start a session (§3.7)");
+    table.AddGroup("resect", resect, "where a frame sees known landmarks from: RANSAC");
+    table.AddGroup("triangulate", triangulate, "tracks become landmarks");
+    table.AddGroup("adjust", adjust, "bundle adjustment");
+    table.AddGroup("prune", prune, "which observations go (§3.8)");
+    table.AddGroup("scale", scale, "from wheel odometry, or the camera's height over the floor");
+    table.AddGroup("f2", f2, "whether two landmarks of linked tracks are one (§3.6)");
+    table.AddNumber("max_weak_frames", max_weak_frames, 0, 100, "in a row; more end the session");
+    table.AddNumber("max_weak_tries", max_weak_tries, 1, 1000, "of a weak keyframe at later ones");
+    table.AddNumber("pixel_sigma_px", pixel_sigma_px, 0.1, 20.0, "position of a small feature");
+    table.AddNumber("sigma_size_px", sigma_size_px, 1.0, 100.0, "larger ones are less certain");
+    table.AddNumber("sigma_exponent", sigma_exponent, 0.0, 2.0,
+                    "sigma grows with (size / sigma_size_px) to this power");
+    table.AddNumber("seed", seed, 0, kNoLimit, "");
+  }
 };
 
 }  // namespace rovio_sfm

@@ -6,6 +6,7 @@
 
 #include "rovio_sfm/scene/frame.h"
 #include "rovio_sfm/scene/match.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
@@ -17,12 +18,22 @@ enum class Matcher : uint8_t {
 
 struct MatchOptions {
   Matcher matcher = Matcher::kExact;
-  int trees = 4;       // kd-trees; 1 to 16
-  int branching = 32;  // of the k-means tree; 2 to 256
-  int checks = 64;     // leaves visited per query; 1 to 10000
-  uint64_t seed = 1;   // of the trees
+  int trees = 4;
+  int branching = 32;
+  int checks = 64;
+  uint64_t seed = 1;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddChoice("matcher", matcher,
+                    {{"exact", Matcher::kExact},
+                     {"kdtree", Matcher::kKdTree},
+                     {"kmeans_tree", Matcher::kKMeansTree}},
+                    "finds the nearest descriptors");
+    table.AddNumber("trees", trees, 1, 16, "of kdtree");
+    table.AddNumber("branching", branching, 2, 256, "of kmeans_tree");
+    table.AddNumber("checks", checks, 1, 10000, "leaves visited per query");
+    table.AddNumber("seed", seed, 0, kNoLimit, "of the trees");
+  }
 };
 
 // For each descriptor of b its nearest of a, with the distance and the ratio to the second nearest

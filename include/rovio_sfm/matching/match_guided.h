@@ -6,18 +6,24 @@
 #include "rovio_sfm/geometry/rigid3.h"
 #include "rovio_sfm/scene/frame.h"
 #include "rovio_sfm/scene/match.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 // The second pass of §5.1.5: features that the first left unmatched, along the epipolar band.
 struct GuidedOptions {
-  double band_px = 2.0;      // half width of the band, in b; 0.1 to 20
-  float max_ratio = 0.9f;    // looser than the first pass, among the features of the band; 0.1 to 1
-  float max_factor = 1.25f;  // distance <= factor * mean distance of the known matches; 0.1 to 10
-  // Points nearer than this many baselines are not looked for; 0 to 100
+  double band_px = 2.0;
+  float max_ratio = 0.9f;
+  float max_factor = 1.25f;
   double min_depth_baselines = 1.0;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddLiveNumber("band_px", band_px, 0.1, 20.0, "half width of the band");
+    table.AddNumber("max_ratio", max_ratio, 0.1, 1.0, "Lowe's, among the features of the band");
+    table.AddNumber("max_factor", max_factor, 0.1, 10.0, "of the known matches' mean distance");
+    table.AddNumber("min_depth_baselines", min_depth_baselines, 0.0, 100.0,
+                    "nearer points are not looked for");
+  }
 };
 
 // One-to-one matches between the features of a and b that `known` does not use, in order of b.

@@ -9,6 +9,7 @@
 #include "rovio_sfm/matching/verify_pair.h"
 #include "rovio_sfm/scene/frame.h"
 #include "rovio_sfm/scene/match.h"
+#include "rovio_sfm/util/option_table.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
@@ -16,13 +17,20 @@ namespace rovio_sfm {
 // The filters that the matches of one pair pass, in order (§3.4–3.5).
 struct PairOptions {
   MatchOptions match;
-  float max_ratio = 0.9f;        // Lowe's, τ_u; 0.1 to 1
-  float max_mean_factor = 2.0f;  // τ_κ of the percentile filter; 0.1 to 10
+  float max_ratio = 0.9f;
+  float max_mean_factor = 2.0f;
   VerifyPairOptions verify;
-  bool use_guided = true;  // the second pass along the epipolar band, for general pairs
+  bool use_guided = true;
   GuidedOptions guided;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddGroup("match", match, "");
+    table.AddLiveNumber("max_ratio", max_ratio, 0.1, 1.0, "Lowe's, τ_u");
+    table.AddLiveNumber("max_mean_factor", max_mean_factor, 0.1, 10.0, "percentile filter, τ_κ");
+    table.AddGroup("verify", verify, "RANSAC on the essential matrix");
+    table.AddLiveFlag("use_guided", use_guided, "second pass, along the epipolar band");
+    table.AddGroup("guided", guided, "");
+  }
 };
 
 // Matches an earlier frame with a later one: nearest descriptors, ratio, percentile, one-to-one,

@@ -7,6 +7,7 @@
 
 #include "rovio_sfm/geometry/rigid3.h"
 #include "rovio_sfm/scene/match.h"
+#include "rovio_sfm/util/option_table.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
@@ -18,23 +19,36 @@ enum class PairPoseMethod : uint8_t {
 };
 
 struct VerifyPairOptions {
-  double threshold_px = 1.5;  // largest Sampson error of an inlier; (0, 50]
-  int min_inliers = 20;       // fewer is a failed pair; 8 or more
-  int max_iterations = 1000;  // RANSAC samples; 1 … 100 000
-  // Samples drawn even if fewer seem enough, to give local optimisation a choice; 0 or more.
+  double threshold_px = 1.5;
+  int min_inliers = 20;
+  int max_iterations = 1000;
   int min_iterations = 200;
-  double confidence = 0.999;  // of RANSAC; (0, 1)
-  int prosac_samples = 500;   // samples until all matches take part, best ratio first; 0 or more
+  double confidence = 0.999;
+  int prosac_samples = 500;
   PairPoseMethod pose_method = PairPoseMethod::kFivePoint;
-  // Planar if the homography's share of both truncated scores exceeds this (ORB-SLAM); (0, 1).
   double max_homography_share = 0.45;
-  // Rotation if the median flow left after removing the rotation is below min_flow_px, or below
-  // min_flow_noise_ratio times the median Sampson error (then noise explains the flow); 0 or more.
+  // Or below min_flow_noise_ratio times the median Sampson error: then noise explains the flow.
   double min_flow_px = 0.75;
   double min_flow_noise_ratio = 3.5;
 
-  // Names the field, its value and its bound.
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddLiveNumber("threshold_px", threshold_px, 0.01, 50.0,
+                        "largest Sampson error of an inlier");
+    table.AddLiveNumber("min_inliers", min_inliers, 8, 10000, "fewer: a failed pair");
+    table.AddNumber("max_iterations", max_iterations, 1, 100000, "samples");
+    table.AddNumber("min_iterations", min_iterations, 0, 100000, "even if fewer seem enough");
+    table.AddNumber("confidence", confidence, 0.01, 0.999999, "that one sample had no outlier");
+    table.AddNumber("prosac_samples", prosac_samples, 0, 100000, "until all take part, best first");
+    table.AddChoice(
+        "pose_method", pose_method,
+        {{"five_point", PairPoseMethod::kFivePoint}, {"algebraic", PairPoseMethod::kAlgebraic}},
+        "of the essential matrix");
+    table.AddLiveNumber("max_homography_share", max_homography_share, 0.01, 0.99,
+                        "of both truncated scores; above, the pair is planar");
+    table.AddLiveNumber("min_flow_px", min_flow_px, 0.0, 100.0, "below, the pair is a rotation");
+    table.AddNumber("min_flow_noise_ratio", min_flow_noise_ratio, 0.0, 100.0,
+                    "the same, times the median Sampson error");
+  }
 };
 
 struct PairVerification {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "rovio_sfm/mapping/mapper_options.h"
 #include "rovio_sfm/merging/merge_options.h"
 
@@ -11,8 +9,10 @@ namespace rovio_sfm {
 struct MapOptions : MapperOptions {
   MergeOptions merge;
 
-  // Names the field, its value and its bound.
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    MapperOptions::DescribeOptions(table);
+    table.AddGroup("merge", merge, "when and how sessions are joined (§4.3)");
+  }
 };
 
 }  // namespace rovio_sfm

@@ -8,23 +8,32 @@
 #include "rovio_sfm/scene/feature_link.h"
 #include "rovio_sfm/scene/frame_store.h"
 #include "rovio_sfm/scene/session.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 // Where a session's landmarks are looked for in a frame of another one.
 struct SearchAcrossOptions {
-  double radius_px = 8.0;         // of the window round a predicted pixel
-  double max_error_sigmas = 6.0;  // a found feature must project that well
-  float max_distance = 320.0f;    // of byte descriptors (L2, RootSIFT of length 512)
-  float max_ratio = 0.9f;         // to the second best feature of the window
+  double radius_px = 8.0;
+  double max_error_sigmas = 6.0;
+  float max_distance = 320.0f;
+  float max_ratio = 0.9f;
   // A landmark should be visible in a frame that looks at it from where a frame of its own session
-  // did: within this angle and this ratio of distances, and inside the image by the radius.
+  // did, and inside the image by the radius.
   double max_view_angle_rad = 0.35;
   double max_distance_ratio = 1.5;
-  int min_views = 3;  // of a landmark whose absence says something
+  int min_views = 3;
 
-  // Names the field, its value and its bound.
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("radius_px", radius_px, 1.0, 100.0, "of the window round a predicted pixel");
+    table.AddNumber("max_error_sigmas", max_error_sigmas, 1.0, 100.0, "of a found feature");
+    table.AddNumber("max_distance", max_distance, 1.0, 1000.0, "of byte descriptors, L2");
+    table.AddNumber("max_ratio", max_ratio, 0.1, 1.0, "to the second best feature of the window");
+    table.AddNumber("max_view_angle_rad", max_view_angle_rad, 0.01, 1.5,
+                    "visible from within this angle of a view of it");
+    table.AddNumber("max_distance_ratio", max_distance_ratio, 1.0, 10.0, "and ratio of distances");
+    table.AddNumber("min_views", min_views, 2, 100, "of a landmark whose absence says something");
+  }
 };
 
 // Keyframes of a session from first to last.

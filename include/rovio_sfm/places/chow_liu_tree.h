@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rovio_sfm/places/word_bag.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
@@ -25,11 +26,13 @@ using ChowLiuTree = std::vector<ChowLiuNode>;
 
 // How the tree's probabilities are taken from counts.
 struct ChowLiuOptions {
-  // Images' worth of independent words mixed into the counts, so that none is 0 or 1 and words seen
-  // once are not bound to each other; 0.01 to 1000.
   double pseudo_images = 1.0;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    // So that no count is 0 or 1, and words seen once are not bound to each other.
+    table.AddNumber("pseudo_images", pseudo_images, 0.01, 1000.0,
+                    "images' worth of independent words mixed into the counts");
+  }
 };
 
 // The tree with the greatest sum of mutual information between the words of the bags (Chow and Liu

@@ -7,6 +7,7 @@
 
 #include "rovio_sfm/scene/frame.h"
 #include "rovio_sfm/util/executor.h"
+#include "rovio_sfm/util/option_table.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
@@ -14,11 +15,15 @@ namespace rovio_sfm {
 // k-means over descriptors, all in whole numbers: words are bytes, sums exact, so the result
 // depends neither on threads nor on order of summation.
 struct ClusterOptions {
-  int num_words = 5000;      // 2 to 65536
-  int max_iterations = 12;   // 0 to 1000
-  double min_gain = 0.0005;  // stops when the mean squared distance sinks by a lesser share; 0 to 1
+  int num_words = 5000;
+  int max_iterations = 12;
+  double min_gain = 0.0005;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("num_words", num_words, 2, 65536, "");
+    table.AddNumber("max_iterations", max_iterations, 0, 1000, "");
+    table.AddNumber("min_gain", min_gain, 0.0, 1.0, "of the mean squared distance, or it stops");
+  }
 };
 
 // Where the clustering stands; all that is needed to go on.

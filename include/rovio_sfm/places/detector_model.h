@@ -2,17 +2,22 @@
 
 #include <string>
 
+#include "rovio_sfm/util/option_table.h"
+
 namespace rovio_sfm {
 
 // How well a word is detected where it exists: z says it was seen, e that it is there (FAB-MAP's
 // detector model). train_places measures it and the model file carries it.
 struct DetectorOptions {
-  // p(z=1 | e=1) of a rare word: the chance to see it again where it was seen; 0.01 to 0.99.
   double p_z_given_e = 0.25;
-  // p(z=1 | e=0): false detections; 0 to 0.2, below p_z_given_e.
   double p_z_given_not_e = 0.0;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("p_z_given_e", p_z_given_e, 0.01, 0.99,
+                    "p(z=1 | e=1) of a rare word: the chance to see it again where it was seen");
+    table.AddNumber("p_z_given_not_e", p_z_given_not_e, 0.0, 0.2, "p(z=1 | e=0)");
+    table.AddRule("p_z_given_not_e", p_z_given_not_e < p_z_given_e, "below p_z_given_e");
+  }
 };
 
 // The detector of one word, so that p_z = p_z_given_e * p_e + p_z_given_not_e * (1 - p_e).

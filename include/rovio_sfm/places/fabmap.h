@@ -10,6 +10,7 @@
 #include "rovio_sfm/places/place_model.h"
 #include "rovio_sfm/places/place_query.h"
 #include "rovio_sfm/places/word_likelihood.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
@@ -19,9 +20,15 @@ enum class NewPlaceModel { kMeanField, kSampled };
 
 struct FabmapOptions {
   NewPlaceModel new_place_model = NewPlaceModel::kSampled;
-  double new_place_prior = 0.9;  // prior of a place never seen; 0.001 to 0.999
+  double new_place_prior = 0.9;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddChoice(
+        "new_place_model", new_place_model,
+        {{"mean_field", NewPlaceModel::kMeanField}, {"sampled", NewPlaceModel::kSampled}},
+        "what an image of a new place looks like");
+    table.AddNumber("new_place_prior", new_place_prior, 0.001, 0.999, "of a place never seen");
+  }
 };
 
 // What an image says about where it was taken. Rank by score and let geometry decide: posteriors

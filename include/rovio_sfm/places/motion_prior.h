@@ -5,17 +5,20 @@
 #include <vector>
 
 #include "rovio_sfm/places/fabmap.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 struct MotionPriorOptions {
-  // Share of the mass of a place that moves on to its neighbours in its drive, in equal parts; the
-  // rest stays; 0 to 1.
   double move_probability = 2.0 / 3.0;
-  // Share of the prior spread evenly over all places, so that no place is ruled out; 0.001 to 1.
   double uniform_share = 0.1;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("move_probability", move_probability, 0.0, 1.0,
+                    "of a place's mass, to its neighbours in the drive");
+    table.AddNumber("uniform_share", uniform_share, 0.001, 1.0,
+                    "spread over all places, so that none is ruled out");
+  }
 };
 
 // Which places follow each other in a drive, and what a result says about where the robot's next

@@ -7,15 +7,20 @@
 #include <vector>
 
 #include "rovio_sfm/scene/events.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 // What a keyframe may not be matched with in its own drive.
 struct RecentPastOptions {
-  int min_keyframes = 20;     // the newest keyframes of the drive; 1 to 10000
-  int min_shared_tracks = 5;  // and those back to where so many of its tracks began; 1 to 1000
+  int min_keyframes = 20;
+  int min_shared_tracks = 5;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("min_keyframes", min_keyframes, 1, 10000, "the newest ones of the drive");
+    table.AddNumber("min_shared_tracks", min_shared_tracks, 1, 1000,
+                    "and those back to where so many of its tracks began");
+  }
 };
 
 // The recent past of a drive: never time, the robot may stand. It does not reach back over a break,

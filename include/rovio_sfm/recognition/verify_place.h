@@ -12,6 +12,7 @@
 #include "rovio_sfm/scene/frame.h"
 #include "rovio_sfm/scene/ids.h"
 #include "rovio_sfm/scene/place_match.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
@@ -19,12 +20,17 @@ namespace rovio_sfm {
 struct VerifyPlaceOptions {
   // Stricter than between neighbouring frames: ratio 0.8 and 20 inliers refused every foreign room.
   PairOptions pair = DefaultPair();
-  int min_cells = 4;  // of 4 x 4 in each image that hold an inlier; 1 to 16
-  // Frames on each side of the matched one that recursive matching tries (§4.3.1); 0 to 50
+  int min_cells = 4;
   int max_neighbors = 2;
 
   static PairOptions DefaultPair();
-  bool IsValid(std::string* error) const;
+
+  void DescribeOptions(OptionTable& table) {
+    table.AddGroup("pair", pair, "what the matches of a pair pass, in order");
+    table.AddNumber("min_cells", min_cells, 1, 16, "of 4 x 4 in each image that hold an inlier");
+    table.AddNumber("max_neighbors", max_neighbors, 0, 50,
+                    "frames tried on each side of the matched one (§4.3.1)");
+  }
 };
 
 // A keyframe with what its verification needs.

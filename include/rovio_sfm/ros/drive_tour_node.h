@@ -6,35 +6,15 @@
 #include <rovio_sfm/FrameEventMsg.h>
 #include <rovio_sfm/RovioStatus.h>
 #include <sensor_msgs/CameraInfo.h>
-#include <yaml-cpp/yaml.h>
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "rovio_sfm/app/drive_tour_options.h"
 #include "rovio_sfm/rovio/tour_plan.h"
 
 namespace rovio_sfm {
-
-// For what the robot waits at a stop.
-enum class TourLook { kNothing, kImage, kFrame };
-
-struct DriveTourOptions {
-  std::string tour;                  // path of the YAML file
-  TourLook look = TourLook::kImage;  // kImage: a camera_info after the stop; kFrame: its FrameEvent
-  double look_timeout_s = 15.0;      // then it moves a little, and looks again
-  int max_looks = 4;                 // at one stop; then the tour goes on, one picture short
-  double ready_timeout_s = 60.0;     // to find odometry, a driver and a first picture
-  double stop_timeout_s = 20.0;      // to reach one stop; then it looks from where it is
-  double max_odom_age_s = 1.0;       // older odometry: it stands and waits
-  SteerOptions steer;
-
-  bool IsValid(std::string* error) const;
-};
-
-// Reads the node's parameters, those of config/drive_tour.yaml; throws std::runtime_error that
-// names the parameter.
-DriveTourOptions LoadDriveTourOptions(const YAML::Node& parameters);
 
 // Drives a tour through cmd_vel with odometry as its feedback: to each stop, stand, look. Where no
 // picture comes it turns a little and drives to the stop once more: a driver that takes one picture

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "rovio_sfm/util/option_table.h"
+
 namespace rovio_sfm {
 
 struct BackOffOptions {
@@ -10,7 +12,12 @@ struct BackOffOptions {
   double max_delay_s = 8.0;
   double factor = 2.0;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("first_delay_s", first_delay_s, 0.01, 600.0, "");
+    table.AddNumber("max_delay_s", max_delay_s, 0.01, 600.0, "");
+    table.AddRule("max_delay_s", max_delay_s >= first_delay_s, "at least first_delay_s");
+    table.AddNumber("factor", factor, 1.01, 10.0, "of one delay to the next");
+  }
 };
 
 // How long to wait before the next attempt: grows from failure to failure up to a cap, and begins

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "rovio_sfm/rovio/http_transport.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
@@ -14,19 +15,46 @@ struct Credentials {
   std::string password;
 };
 
-struct CurlTransportOptions {
-  std::string host;  // a name or an IPv4 address; no scheme, path, port or user
-  int port = 80;
+// How long an answer of a robot may take.
+struct HttpLimits {
   double connect_timeout_s = 2.0;
-  double first_byte_timeout_s = 3.0;     // from the request to the first byte of the answer
-  double between_bytes_timeout_s = 2.0;  // longest pause within an answer
-  double total_timeout_s = 5.0;          // of a Get; a Stream has none
-  int min_bytes_per_s = 500;             // of a Stream, over min_speed_window_s; 0: no minimum
+  double first_byte_timeout_s = 3.0;
+  double between_bytes_timeout_s = 2.0;
+  double total_timeout_s = 5.0;
+  int min_bytes_per_s = 500;
   int min_speed_window_s = 5;
+
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("connect_timeout_s", connect_timeout_s, 0.05, 600.0, "");
+    table.AddNumber("first_byte_timeout_s", first_byte_timeout_s, 0.05, 600.0,
+                    "from the request to the first byte of the answer");
+    table.AddNumber("between_bytes_timeout_s", between_bytes_timeout_s, 0.05, 600.0, "of a pause");
+    table.AddNumber("total_timeout_s", total_timeout_s, 0.05, 600.0, "of all but the stream");
+    table.AddNumber("min_bytes_per_s", min_bytes_per_s, 0, 1e9, "of the stream; 0: no minimum");
+    table.AddNumber("min_speed_window_s", min_speed_window_s, 1, 600, "");
+  }
+};
+
+// A name or an IPv4 address; no scheme, path, port or user.
+bool IsHostName(const std::string& host);
+
+struct CurlTransportOptions : HttpLimits {
+  std::string host;
+  int port = 80;
   size_t max_header_bytes = 8192;
   size_t max_header_lines = 64;
 
-  bool IsValid(std::string* error) const;
+  void DescribeAddress(OptionTable& table) {
+    table.AddText("host", host, "name or IPv4 address of the robot", OptionUse::kRequired);
+    table.AddRule("host", IsHostName(host),
+                  "a name or an IPv4 address, without scheme, port or path");
+    table.AddNumber("port", port, 1, 65535, "");
+  }
+
+  void DescribeOptions(OptionTable& table) {
+    DescribeAddress(table);
+    HttpLimits::DescribeOptions(table);
+  }
 };
 
 // HttpTransport by libcurl: http only, no redirects, no proxy, every wait bounded, everything that

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "rovio_sfm/rovio/drive_code.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
@@ -29,15 +30,15 @@ struct DriveCommand {
 // What the robot's speed numbers mean; no source says, so both tables are to be measured.
 struct DriveOptions {
   std::array<double, 10> speed_m_per_s = {0.30, 0.27, 0.24, 0.21, 0.18,
-                                          0.15, 0.12, 0.09, 0.06, 0.03};  // of number 1 … 10
+                                          0.15, 0.12, 0.09, 0.06, 0.03};
   std::array<double, 10> turn_rad_per_s = {2.0, 1.8, 1.6, 1.4, 1.2, 1.0, 0.8, 0.6, 0.4, 0.2};
-  double min_speed_m_per_s = 0.01;         // below it counts as zero
-  double min_turn_rad_per_s = 0.05;        // below it counts as zero
-  double turn_radius_m = 0.145;            // weighs a turn against a move: speed of the wheels' rim
-  int64_t repeat_period_ns = 100000000;    // a command holds about 0.2 s in the robot
-  int64_t max_command_age_ns = 500000000;  // then the robot is stopped
+  double min_speed_m_per_s = 0.01;
+  double min_turn_rad_per_s = 0.05;
+  double turn_radius_m = 0.145;
+  int64_t repeat_period_ns = 100000000;
+  int64_t max_command_age_ns = 500000000;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table);
 };
 
 // The robot's nearest motion: it moves in eight directions or turns, never both at once; the

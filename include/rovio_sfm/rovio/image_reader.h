@@ -11,6 +11,7 @@
 #include "rovio_sfm/rovio/mjpeg_parser.h"
 #include "rovio_sfm/rovio/reader_gate.h"
 #include "rovio_sfm/rovio/rovio_client.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
@@ -19,13 +20,25 @@ enum class ImageSource { kAuto, kStream, kStills };  // kAuto: the stream, still
 struct ImageReaderOptions {
   ImageSource source = ImageSource::kAuto;
   MjpegParserOptions parser;
-  size_t max_pixels = 1024 * 1024;
-  int max_stream_failures = 2;        // of a robot that answers; then stills stand in …
-  double max_image_gap_s = 3.0;       // of a stream that sends bytes, but no image
-  double stream_retry_period_s = 20;  // … for so long
+  uint64_t max_pixels = 1024 * 1024;
+  int max_stream_failures = 2;
+  double max_image_gap_s = 3.0;
+  double stream_retry_period_s = 20.0;
   BackOffOptions back_off;
 
-  bool IsValid(std::string* error) const;
+  // The group "images"; back_off is one for all that the driver asks of the robot.
+  void DescribeOptions(OptionTable& table) {
+    table.AddChoice("source", source,
+                    {{"auto", ImageSource::kAuto},
+                     {"stream", ImageSource::kStream},
+                     {"stills", ImageSource::kStills}},
+                    "auto: the stream, stills while it fails");
+    table.AddNumber("max_bytes", parser.max_part_bytes, 1024, 1e9, "a Rovio's stay below 64 KiB");
+    table.AddNumber("max_pixels", max_pixels, 1024, 1e9, "");
+    table.AddNumber("max_stream_failures", max_stream_failures, 1, 1000, "then stills stand in …");
+    table.AddNumber("max_image_gap_s", max_image_gap_s, 0.5, 600.0, "of bytes without an image");
+    table.AddNumber("stream_retry_period_s", stream_retry_period_s, 1.0, 86400.0, "… for so long");
+  }
 };
 
 // A whole image as the robot encoded it. The stamp is that of its first byte.

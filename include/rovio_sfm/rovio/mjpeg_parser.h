@@ -11,12 +11,10 @@
 namespace rovio_sfm {
 
 struct MjpegParserOptions {
-  size_t max_header_bytes = 2048;       // of one part
-  size_t max_header_lines = 16;         // of one part
-  size_t max_part_bytes = 512 * 1024;   // a VGA JPEG of a Rovio stays below 64 KiB
-  size_t max_junk_bytes = 1024 * 1024;  // between two boundaries, before the stream is given up
-
-  bool IsValid(std::string* error) const;
+  size_t max_header_bytes = 2048;        // of one part
+  size_t max_header_lines = 16;          // of one part
+  uint64_t max_part_bytes = 512 * 1024;  // a VGA JPEG of a Rovio stays below 64 KiB
+  size_t max_junk_bytes = 1024 * 1024;   // between two boundaries, before the stream is given up
 };
 
 // One image of the stream. The stamp is that of the first byte of its boundary.

@@ -16,8 +16,6 @@ struct ReporterOptions {
   std::optional<CameraSettings> wanted_settings;  // asked for once, when the robot is there
   int max_failures = 3;                           // in a row; then the link counts as down
   BackOffOptions back_off;
-
-  bool IsValid(std::string* error) const;
 };
 
 // Asks the robot how its wheels turned and how it is, and tells when the link comes and goes. After

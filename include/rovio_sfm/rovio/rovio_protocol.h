@@ -7,17 +7,23 @@
 #include <string_view>
 
 #include "rovio_sfm/rovio/drive_code.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 // The camera's settings as the robot numbers them.
 struct CameraSettings {
-  int resolution = 3;   // 0 176x144, 1 320x240, 2 352x288, 3 640x480
-  int compression = 2;  // 0 low … 2 high quality
-  int frame_rate = 15;  // per second, 1 … 30
-  int brightness = 6;   // 0 … 6
+  int resolution = 3;
+  int compression = 2;
+  int frame_rate = 15;
+  int brightness = 6;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("resolution", resolution, 0, 3, "0 176x144, 1 320x240, 2 352x288, 3 640x480");
+    table.AddNumber("compression", compression, 0, 2, "0 low, 1 medium, 2 high quality");
+    table.AddNumber("frame_rate", frame_rate, 1, 30, "per second");
+    table.AddNumber("brightness", brightness, 0, 6, "");
+  }
 };
 
 // What GetReport says, as far as a driver can use it.

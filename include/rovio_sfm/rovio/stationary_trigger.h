@@ -3,12 +3,17 @@
 #include <cstdint>
 #include <string>
 
+#include "rovio_sfm/util/option_table.h"
+
 namespace rovio_sfm {
 
 struct StationaryOptions {
-  int64_t rest_ns = 300000000;  // the wheels must have rested so long before an image counts
+  int64_t rest_ns = 300000000;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddSeconds("stationary_rest_s", rest_ns, 0.0, 10.0,
+                     "the wheels must have rested so long before an image counts");
+  }
 };
 
 // Chooses the images of a robot that drives, stops and looks: one image per stop, taken when the

@@ -8,25 +8,39 @@
 #include "rovio_sfm/geometry/sim3.h"
 #include "rovio_sfm/sessions/find_common_landmarks.h"
 #include "rovio_sfm/sessions/fit_similarity.h"
+#include "rovio_sfm/util/option_table.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
 
 struct AlignOptions {
-  int max_iterations = 300;       // RANSAC samples; matches were verified before, so few are false
-  double confidence = 0.999;      // that one sample was free of outliers, in (0, 1)
-  double threshold_sigmas = 3.5;  // an inlier's largest residual; 99.8 % of true ones in 2D
-  double loss_sigmas = 1.5;       // scale of the Cauchy loss of the refinement; above 0
-  int min_inliers = 12;           // fewer matches are no alignment
-  int min_common = 5;             // inliers of which both sessions have the landmark, distinct
-  double max_sigma_log_scale = 0.1;       // a scale less certain than 10 % spoils the merged map
-  double max_sigma_rotation_rad = 0.035;  // 2 degrees: points on one line, or in one place
+  int max_iterations = 300;
+  double confidence = 0.999;
+  double threshold_sigmas = 3.5;
+  double loss_sigmas = 1.5;
+  int min_inliers = 12;
+  int min_common = 5;
+  double max_sigma_log_scale = 0.1;
+  double max_sigma_rotation_rad = 0.035;
   // Landmarks of one place share the errors of its cameras, which no number of them averages out:
-  double sigma_log_distance_floor = 0.02;  // of one landmark's distance
-  double sigma_log_scale_floor = 0.005;    // of the alignment's scale
+  double sigma_log_distance_floor = 0.02;
+  double sigma_log_scale_floor = 0.005;
 
-  // Names the field, its value and its bound.
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("max_iterations", max_iterations, 1, 100000, "samples: few matches are false");
+    table.AddNumber("confidence", confidence, 0.5, 0.999999, "that one sample had no outlier");
+    table.AddNumber("threshold_sigmas", threshold_sigmas, 0.1, 100.0, "of inliers: 99.8 % in 2D");
+    table.AddNumber("loss_sigmas", loss_sigmas, 0.1, 100.0, "Cauchy loss of the refinement");
+    table.AddNumber("min_inliers", min_inliers, 4, 10000, "fewer are no alignment");
+    table.AddNumber("min_common", min_common, 3, 10000, "distinct, landmarks of both sessions");
+    table.AddNumber("max_sigma_log_scale", max_sigma_log_scale, 1e-4, 1.0,
+                    "a scale less certain than 10 % spoils the merged map");
+    table.AddNumber("max_sigma_rotation_rad", max_sigma_rotation_rad, 1e-5, 1.0,
+                    "2 degrees: points on one line, or in one place");
+    table.AddNumber("sigma_log_distance_floor", sigma_log_distance_floor, 1e-6, 1.0,
+                    "of one landmark's distance");
+    table.AddNumber("sigma_log_scale_floor", sigma_log_scale_floor, 0.0, 1.0, "of its scale");
+  }
 };
 
 // How session a lies in session b.

@@ -7,35 +7,53 @@
 
 #include "rovio_sfm/geometry/camera.h"
 #include "rovio_sfm/scene/merge_report.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 // When geometry that fits is proof (design 5.4): FAB-MAP proposes, geometry decides, absence
 // refutes.
 struct EvidenceOptions {
-  int min_inliers = 25;  // distinct features of the query frame; four samples' worth beyond chance
-  int grid_size = 4;     // the image is cut into so many rows and columns of cells
+  int min_inliers = 25;
   // Rows and columns that hold inliers: a poster, a sign or one object does not fill so many.
+  int grid_size = 4;
   int min_rows = 3;
   int min_columns = 3;
-  // 90th to 10th percentile of the depths; one object at a few metres stays below. Or so large a
-  // share of inliers off the best plane, by more than a twentieth of their distance.
+  // One object at a few metres stays below min_depth_ratio. Or so large a share off the best plane.
   double min_depth_ratio = 1.6;
   double min_off_plane_share = 0.15;
   double max_plane_error = 0.05;
-  // Of the other map's landmarks that should be seen, so many must be for a share to be known. The
-  // same place shows a fifth at least (0.2 to 0.5 of two simulated drives, 0.15 to 0.35 of two hand
-  // held ones with blur); another one that looks alike only what it has in common (0.03 to 0.06 of
-  // the repeats of an engine room).
+  // The same place shows a fifth at least (0.2 to 0.5 of two simulated drives, 0.15 to 0.35 of two
+  // hand held ones with blur); another one that looks alike only what it has in common (0.03 to
+  // 0.06 of the repeats of an engine room).
   int min_visible = 15;
   double min_matched_share = 0.2;
   double refuted_share = 0.1;
-  // Neighbours of the query frame must give the same scale.
   double max_log_scale_gap = 0.05;
   double refuted_log_scale_gap = 0.25;
 
-  // Names the field, its value and its bound.
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("min_inliers", min_inliers, 4, 10000,
+                    "distinct features of the query frame; four samples' worth beyond chance");
+    table.AddNumber("grid_size", grid_size, 1, 100, "rows and columns of the image's cells");
+    table.AddNumber("min_rows", min_rows, 1, 100, "that hold inliers");
+    table.AddRule("min_rows", min_rows <= grid_size, "at most grid_size");
+    table.AddNumber("min_columns", min_columns, 1, 100, "that hold inliers");
+    table.AddRule("min_columns", min_columns <= grid_size, "at most grid_size");
+    table.AddNumber("min_depth_ratio", min_depth_ratio, 1.0, 100.0,
+                    "90th to 10th percentile of the depths");
+    table.AddNumber("min_off_plane_share", min_off_plane_share, 0.0, 1.0, "off the best plane");
+    table.AddNumber("max_plane_error", max_plane_error, 1e-4, 1.0, "as a share of the distance");
+    table.AddNumber("min_visible", min_visible, 1, 100000, "that should be seen, to know a share");
+    table.AddNumber("min_matched_share", min_matched_share, 0.0, 1.0, "of them");
+    table.AddNumber("refuted_share", refuted_share, 0.0, 1.0, "of them; below: refuted");
+    table.AddRule("refuted_share", refuted_share <= min_matched_share, "at most min_matched_share");
+    table.AddNumber("max_log_scale_gap", max_log_scale_gap, 0.001, 1.0,
+                    "of the neighbours of the query");
+    table.AddNumber("refuted_log_scale_gap", refuted_log_scale_gap, 0.001, 10.0, "above: refuted");
+    table.AddRule("refuted_log_scale_gap", refuted_log_scale_gap >= max_log_scale_gap,
+                  "at least max_log_scale_gap");
+  }
 };
 
 // An inlier of an overlap as the query frame sees it.

@@ -6,18 +6,24 @@
 #include "rovio_sfm/geometry/rigid3.h"
 #include "rovio_sfm/scene/frame.h"
 #include "rovio_sfm/scene/match.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 // Wheel odometry as a bounding box of the camera's motion (§3.5, §6.2): wide, since wheels slip.
 struct OdometryGateOptions {
   bool enabled = false;
-  double max_rotation_gap_deg = 15.0;   // between wheels and camera; 0.5 to 180
-  double max_direction_gap_deg = 60.0;  // of the translation; 1 to 180
-  double min_distance_m = 0.05;         // shorter moves have no direction worth comparing; 0 to 10
+  double max_rotation_gap_deg = 15.0;
+  double max_direction_gap_deg = 60.0;
+  double min_distance_m = 0.05;
 
-  // Names the field, its value and its bound.
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddFlag("enabled", enabled, "");
+    table.AddNumber("max_rotation_gap_deg", max_rotation_gap_deg, 0.5, 180.0, "wheels and camera");
+    table.AddNumber("max_direction_gap_deg", max_direction_gap_deg, 1.0, 180.0, "of directions");
+    table.AddNumber("min_distance_m", min_distance_m, 0.0, 10.0,
+                    "shorter moves have no direction worth comparing");
+  }
 };
 
 // The camera's pose in odom, metres; nothing where the wheels or the head are unknown.

@@ -6,14 +6,19 @@
 #include <vector>
 
 #include "rovio_sfm/geometry/camera.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 struct CalibrateCameraOptions {
-  int columns = 9, rows = 6;  // inner corners of the chessboard, 3 to 50
-  int min_boards = 5;         // fewer found boards are refused, 3 to 1000: 9 unknowns, 2 a board
+  int columns = 9, rows = 6;
+  int min_boards = 5;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddNumber("columns", columns, 3, 50, "inner corners of the chessboard");
+    table.AddNumber("rows", rows, 3, 50, "inner corners of the chessboard");
+    table.AddNumber("min_boards", min_boards, 3, 1000, "fewer are refused");
+  }
 };
 
 struct CalibrationReport {

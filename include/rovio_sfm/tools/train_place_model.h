@@ -12,19 +12,29 @@
 #include "rovio_sfm/tools/second_look.h"
 #include "rovio_sfm/tools/training_checkpoint.h"
 #include "rovio_sfm/tools/training_images.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 struct TrainPlacesOptions {
-  FrontendOptions frontend;  // how images are denoised and features found: as live ones
+  FrontendOptions frontend;
   ClusterOptions cluster;
-  int max_cluster_features = 250'000;  // clustered, evenly thinned from all; 100 to 1e7
+  int max_cluster_features = 250'000;
   ChowLiuOptions tree;
   SecondLookOptions second_look;
-  std::optional<double> p_z_given_e;  // instead of what second looks say; 0.01 to 0.99
-  uint64_t seed = 1;                  // of the first words and of the second looks
+  std::optional<double> p_z_given_e;  // instead of what second looks say
+  uint64_t seed = 1;
 
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddGroup("frontend", frontend, "images are denoised and features found as live");
+    table.AddRule("frontend.extract.type", frontend.extract.type == DescriptorType::kSift, "sift");
+    table.AddGroup("cluster", cluster, "");
+    table.AddNumber("max_cluster_features", max_cluster_features, 100, 1e7, "thinned evenly");
+    table.AddGroup("tree", tree, "");
+    table.AddGroup("second_look", second_look, "");
+    if (p_z_given_e) table.AddNumber("p_z_given_e", *p_z_given_e, 0.01, 0.99, "of the detector");
+    table.AddNumber("seed", seed, 0, kNoLimit, "of the first words and of the second looks");
+  }
 };
 
 // A trained model and how it came about.

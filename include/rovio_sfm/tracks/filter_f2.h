@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rovio_sfm/geometry/rigid3.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
@@ -16,11 +17,16 @@ enum class F2Method : uint8_t {
 
 struct FilterF2Options {
   F2Method method = F2Method::kReprojection;
-  double max_chi_square = 9.21;        // of one view, 2 degrees of freedom; 99 %; above 0
-  double max_relative_distance = 0.1;  // k of the thesis's test (§3.6); above 0
+  double max_chi_square = 9.21;
+  double max_relative_distance = 0.1;
 
-  // Names the field, its value and its bound.
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    bool mean_relative = method == F2Method::kMeanRelative;
+    table.AddFlag("mean_relative", mean_relative, "the thesis's test; depends on the origin");
+    method = mean_relative ? F2Method::kMeanRelative : F2Method::kReprojection;
+    table.AddNumber("max_chi_square", max_chi_square, 1e-6, 1e9, "one view's reprojection: 99 %");
+    table.AddNumber("max_relative_distance", max_relative_distance, 1e-6, 1e9, "the thesis's k");
+  }
 };
 
 // A landmark and its views; vectors of equal length.

@@ -11,15 +11,19 @@
 #include "rovio_sfm/scene/ids.h"
 #include "rovio_sfm/scene/match.h"
 #include "rovio_sfm/tracks/filter_f1.h"
+#include "rovio_sfm/util/option_table.h"
 
 namespace rovio_sfm {
 
 struct TrackOptions {
-  double same_feature_px = 1.5;  // two features of a frame nearer than this count as one; 0 to 100
-  int remembered_frames = 40;    // keyframes matches may reach back to; 1 to 10000
+  double same_feature_px = 1.5;
+  int remembered_frames = 40;
 
-  // Names the field, its value and its bound.
-  bool IsValid(std::string* error) const;
+  void DescribeOptions(OptionTable& table) {
+    table.AddLiveNumber("same_feature_px", same_feature_px, 0.0, 100.0, "nearer features are one");
+    table.AddNumber("remembered_frames", remembered_frames, 1, 10000,
+                    "keyframes that matches may reach back to");
+  }
 };
 
 // What happened to the matches of one keyframe (Table 3.5).
