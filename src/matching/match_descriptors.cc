@@ -6,7 +6,6 @@
 
 #include "rovio_sfm/matching/match_approximate.h"
 #include "rovio_sfm/util/byte_products.h"
-#include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
 namespace {
@@ -74,14 +73,6 @@ std::vector<FeatureMatch> MatchExactHamming(const Descriptors& a, const Descript
 }
 
 }  // namespace
-
-bool MatchOptions::IsValid(std::string* error) const {
-  OptionChecker checker("match", error);
-  checker.Range("trees", trees, 1, 16);
-  checker.Range("branching", branching, 2, 256);
-  checker.Range("checks", checks, 1, 10000);
-  return checker.Passed();
-}
 
 std::vector<FeatureMatch> MatchDescriptors(const Descriptors& a, const Descriptors& b,
                                            const MatchOptions& options) {

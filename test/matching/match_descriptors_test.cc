@@ -119,13 +119,5 @@ TEST(MatchDescriptors, RefusesEmptyAndForeignTypes) {
   EXPECT_TRUE(MatchDescriptors({}, l2, {}).empty());
 }
 
-TEST(MatchOptions, NamesTheBadOption) {
-  MatchOptions options;
-  options.checks = 0;
-  std::string error;
-  EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_EQ(error, "match.checks = 0: expected 1 to 10000");
-}
-
 }  // namespace
 }  // namespace rovio_sfm
