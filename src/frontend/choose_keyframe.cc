@@ -6,18 +6,13 @@
 
 #include "rovio_sfm/geometry/relative_pose.h"
 #include "rovio_sfm/util/check.h"
+#include "rovio_sfm/util/median.h"
 
 namespace rovio_sfm {
 namespace {
 
 constexpr double kCornerQuality = 0.005, kCornerDistancePx = 10.0;
 constexpr size_t kMinCorners = 8;  // fewer tell nothing: the overlap counts as lost
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Undistorted points of half-size pixels, where both can be undistorted.
 struct PointPairs {

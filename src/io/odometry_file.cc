@@ -8,18 +8,27 @@
 namespace rovio_sfm {
 namespace {
 
+constexpr size_t kNumPoseFields = 4;
+
+OdometryCovariance ParseCovariance(const TextLine& line) {
+  OdometryCovariance covariance;
+  for (size_t i = 0; i < 9; ++i) covariance[i] = line.Number(kNumPoseFields + i, "covariance");
+  for (const size_t diagonal : {0u, 4u, 8u}) {
+    if (covariance[diagonal] < 0.0) line.Fail("field covariance: negative variance");
+  }
+  return covariance;
+}
+
 StampedOdometry ParseOdometry(const TextLine& line) {
-  line.RequireFields(13, "timestamp x y theta, covariance 3x3 by rows");
+  const bool knows_covariance = line.fields.size() != kNumPoseFields;
+  if (knows_covariance)
+    line.RequireFields(13, "timestamp x y theta, covariance 3x3 by rows or none");
   StampedOdometry odometry;
   odometry.stamp_ns = line.Stamp(0, "timestamp");
   odometry.sample.x_m = line.Number(1, "x");
   odometry.sample.y_m = line.Number(2, "y");
   odometry.sample.yaw_rad = line.Number(3, "theta");
-  for (size_t i = 0; i < 9; ++i) odometry.sample.covariance[i] = line.Number(4 + i, "covariance");
-  for (const size_t diagonal : {0u, 4u, 8u}) {
-    if (odometry.sample.covariance[diagonal] < 0.0)
-      line.Fail("field covariance: negative variance");
-  }
+  if (knows_covariance) odometry.sample.covariance = ParseCovariance(line);
   return odometry;
 }
 
@@ -28,8 +37,10 @@ OdometrySample Mix(const OdometrySample& a, const OdometrySample& b, double shar
   mix.x_m = (1.0 - share) * a.x_m + share * b.x_m;
   mix.y_m = (1.0 - share) * a.y_m + share * b.y_m;
   mix.yaw_rad = a.yaw_rad + share * std::remainder(b.yaw_rad - a.yaw_rad, 2.0 * M_PI);
+  if (!a.covariance || !b.covariance) return mix;
+  mix.covariance.emplace();
   for (size_t i = 0; i < 9; ++i) {
-    mix.covariance[i] = (1.0 - share) * a.covariance[i] + share * b.covariance[i];
+    (*mix.covariance)[i] = (1.0 - share) * (*a.covariance)[i] + share * (*b.covariance)[i];
   }
   return mix;
 }

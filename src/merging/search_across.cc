@@ -60,6 +60,18 @@ std::optional<Eigen::Vector2d> Predict(const Rigid3& cam_from_a, const Landmark&
   return predicted;
 }
 
+FeatureWindow WindowOf(const Keyframe& keyframe, const FeatureGrid& grid,
+                       const Descriptors& descriptors, double radius,
+                       const SearchAcrossOptions& options) {
+  return {keyframe,
+          grid,
+          descriptors,
+          radius,
+          options.max_distance,
+          options.max_ratio,
+          options.max_error_sigmas};
+}
+
 }  // namespace
 
 AcrossReport SearchAcross(const Session& a, const FrameRange& range_a, const Session& b,
@@ -72,13 +84,7 @@ AcrossReport SearchAcross(const Session& a, const FrameRange& range_a, const Ses
   const Keyframe& keyframe = b.keyframe(frame_b);
   const double radius = options.radius_px / b.camera().MeanFocal();
   const FeatureGrid grid(keyframe.points, radius);
-  const FeatureWindow window{keyframe,
-                             grid,
-                             *descriptors,
-                             radius,
-                             options.max_distance,
-                             options.max_ratio,
-                             options.max_error_sigmas};
+  const FeatureWindow window = WindowOf(keyframe, grid, *descriptors, radius, options);
   const Rigid3 cam_from_a = TransformCamera(Inverse(b_from_a), keyframe.cam_from_session);
   for (const auto& [id, landmark] : a.landmarks()) {
     if (!IsSeenIn(landmark, range_a)) continue;

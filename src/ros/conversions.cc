@@ -9,6 +9,8 @@ namespace {
 
 constexpr int64_t kNanosecondsPerSecond = 1000000000;
 constexpr std::array<size_t, 3> kPlanarAxes = {0, 1, 5};  // x, y and yaw of a 6-vector
+// In messages, as REP-145 marks it; a negative variance means nothing else.
+constexpr OdometryCovariance kUnknownCovariance = {-1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 
 bool IsFinite(const geometry_msgs::Transform& t) {
   return std::isfinite(t.translation.x) && std::isfinite(t.translation.y) &&
@@ -163,7 +165,8 @@ OdometrySampleMsg ToMessage(const OdometrySample& sample) {
   message.x_m = sample.x_m;
   message.y_m = sample.y_m;
   message.yaw_rad = sample.yaw_rad;
-  std::copy(sample.covariance.begin(), sample.covariance.end(), message.covariance.begin());
+  const OdometryCovariance covariance = sample.covariance.value_or(kUnknownCovariance);
+  std::copy(covariance.begin(), covariance.end(), message.covariance.begin());
   return message;
 }
 
@@ -171,12 +174,14 @@ std::optional<OdometrySample> FromMessage(const OdometrySampleMsg& message, std:
   if (!AllFinite(std::array<double, 3>{message.x_m, message.y_m, message.yaw_rad})) {
     return Refuse<OdometrySample>("x_m, y_m or yaw_rad is not finite", error);
   }
-  const auto& c = message.covariance;
+  OdometrySample sample{message.x_m, message.y_m, message.yaw_rad};
+  OdometryCovariance c;
+  std::copy(message.covariance.begin(), message.covariance.end(), c.begin());
+  if (c == kUnknownCovariance) return sample;
   if (!AllFinite(c) || c[0] < 0.0 || c[4] < 0.0 || c[8] < 0.0) {
     return Refuse<OdometrySample>("covariance: not finite or a negative variance", error);
   }
-  OdometrySample sample{message.x_m, message.y_m, message.yaw_rad, {}};
-  std::copy(c.begin(), c.end(), sample.covariance.begin());
+  sample.covariance = c;
   return sample;
 }
 
@@ -201,8 +206,10 @@ std::optional<OdometrySample> FromOdometry(const nav_msgs::Odometry& message, st
           message.pose.covariance[6 * kPlanarAxes[row] + kPlanarAxes[column]];
     }
   }
-  const auto& c = planar.covariance;
-  if (c[0] < 0.0 || c[4] < 0.0 || c[8] < 0.0) planar.covariance.fill(0.0);
+  auto& c = planar.covariance;
+  if (c[0] < 0.0 || c[4] < 0.0 || c[8] < 0.0) {
+    std::copy(kUnknownCovariance.begin(), kUnknownCovariance.end(), c.begin());
+  }
   std::string reason;
   std::optional<OdometrySample> sample = FromMessage(planar, &reason);
   if (!sample) *error = "odom pose: " + reason;
@@ -216,10 +223,11 @@ nav_msgs::Odometry ToOdometry(const OdometrySample& sample, int64_t stamp_ns,
   message.header.frame_id = odom_frame;
   message.child_frame_id = base_frame;
   message.pose.pose = ToPose(OdomFromBase(sample));
+  const OdometryCovariance covariance = sample.covariance.value_or(kUnknownCovariance);
   for (size_t row = 0; row < 3; ++row) {
     for (size_t column = 0; column < 3; ++column) {
       message.pose.covariance[6 * kPlanarAxes[row] + kPlanarAxes[column]] =
-          sample.covariance[3 * row + column];
+          covariance[3 * row + column];
     }
   }
   message.twist.covariance[0] = -1.0;  // unknown, as REP-145 has it

@@ -6,6 +6,7 @@
 #include "rovio_sfm/ros/export_map.h"
 #include "rovio_sfm/ros/place_match_message.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
 namespace {
@@ -37,8 +38,6 @@ size_t SizeOf(const PlaceMatch& match) {
   }
   return num_bytes;
 }
-
-double SteadySeconds() { return ros::SteadyTime::now().toSec(); }
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include "rovio_sfm/ros/place_match_message.h"
 #include "rovio_sfm/ros/place_status_message.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
 namespace {
@@ -25,8 +26,6 @@ constexpr uint32_t kServiceThreads = 1;  // calls wait for the worker one after 
 std::vector<LaneOptions> WorkerLanes() {
   return {{500, LaneFull::kDropOldest}, {16, LaneFull::kRefuse}};
 }
-
-double SteadySeconds() { return ros::SteadyTime::now().toSec(); }
 
 }  // namespace
 

@@ -306,8 +306,8 @@ SessionSnapshot Session::Snapshot() const {
     if (moved_.count(frame.reference) == 1) MarkFrame(index);
   }
   moved_.clear();
-  snapshot.frames = UpdateFrameBlocks(*this, &frame_blocks_);
-  snapshot.landmarks = UpdateLandmarkBlocks(*this, &landmark_blocks_);
+  snapshot.frames = UpdateFrameBlocks(keyframes_, light_frames_, &frame_blocks_);
+  snapshot.landmarks = UpdateLandmarkBlocks(camera_, keyframes_, landmarks_, &landmark_blocks_);
   return snapshot;
 }
 

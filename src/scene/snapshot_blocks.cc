@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "rovio_sfm/scene/session.h"
-
 namespace rovio_sfm {
 namespace {
 
@@ -48,7 +46,8 @@ double MaxParallax(const std::vector<Eigen::Vector3d>& rays) {
   return std::acos(std::clamp(cosine, -1.0, 1.0));
 }
 
-LandmarkSnapshot Snap(const Session& session, TrackId id, const Landmark& landmark) {
+LandmarkSnapshot Snap(const Camera& camera, const std::map<uint32_t, Keyframe>& keyframes,
+                      TrackId id, const Landmark& landmark) {
   LandmarkSnapshot snapshot;
   snapshot.id = id;
   snapshot.position = landmark.position;
@@ -57,7 +56,7 @@ LandmarkSnapshot Snap(const Session& session, TrackId id, const Landmark& landma
   std::vector<Eigen::Vector3d> rays;
   double sum = 0.0;
   for (const Observation& observation : landmark.observations) {
-    const Keyframe& frame = session.keyframe(observation.frame);
+    const Keyframe& frame = keyframes.at(observation.frame);
     const Eigen::Vector3d x_in_cam = frame.cam_from_session * landmark.position;
     const double squared =
         (x_in_cam.hnormalized() - frame.points[observation.feature]).squaredNorm();
@@ -66,7 +65,7 @@ LandmarkSnapshot Snap(const Session& session, TrackId id, const Landmark& landma
     rays.push_back((frame.cam_from_session.rotation.conjugate() * x_in_cam).normalized());
   }
   snapshot.mean_error_px =
-      session.camera().MeanFocal() * sum / static_cast<double>(landmark.observations.size());
+      camera.MeanFocal() * sum / static_cast<double>(landmark.observations.size());
   snapshot.max_parallax_rad = MaxParallax(rays);
   return snapshot;
 }
@@ -80,17 +79,18 @@ auto InOrder(const Blocks& cache) {
 
 }  // namespace
 
-std::vector<std::shared_ptr<const FrameBlock>> UpdateFrameBlocks(const Session& session,
-                                                                 FrameBlocks* cache) {
+std::vector<std::shared_ptr<const FrameBlock>> UpdateFrameBlocks(
+    const std::map<uint32_t, Keyframe>& keyframes,
+    const std::map<uint32_t, LightFrame>& light_frames, FrameBlocks* cache) {
   std::map<uint64_t, std::map<uint32_t, FrameSnapshot>> fresh;
-  for (const auto& [index, frame] : session.keyframes()) {
+  for (const auto& [index, frame] : keyframes) {
     const uint64_t number = index / kFramesPerBlock;
     if (cache->count(number) == 0) fresh[number].emplace(index, Snap(index, frame));
   }
-  for (const auto& [index, frame] : session.light_frames()) {
+  for (const auto& [index, frame] : light_frames) {
     const uint64_t number = index / kFramesPerBlock;
     if (cache->count(number) != 0) continue;
-    const Rigid3& reference = session.keyframe(frame.reference).cam_from_session;
+    const Rigid3& reference = keyframes.at(frame.reference).cam_from_session;
     fresh[number].emplace(index, Snap(index, frame, reference));
   }
   for (const auto& [number, frames] : fresh) {
@@ -101,15 +101,15 @@ std::vector<std::shared_ptr<const FrameBlock>> UpdateFrameBlocks(const Session& 
   return InOrder(*cache);
 }
 
-std::vector<std::shared_ptr<const LandmarkBlock>> UpdateLandmarkBlocks(const Session& session,
-                                                                       LandmarkBlocks* cache) {
-  const auto& landmarks = session.landmarks();
+std::vector<std::shared_ptr<const LandmarkBlock>> UpdateLandmarkBlocks(
+    const Camera& camera, const std::map<uint32_t, Keyframe>& keyframes,
+    const std::map<TrackId, Landmark>& landmarks, LandmarkBlocks* cache) {
   for (auto it = landmarks.begin(); it != landmarks.end();) {
     const uint64_t number = it->first / kLandmarksPerBlock;
     const auto end = landmarks.lower_bound((number + 1) * kLandmarksPerBlock);
     if (cache->count(number) == 0) {
       auto block = std::make_shared<LandmarkBlock>();
-      for (; it != end; ++it) block->push_back(Snap(session, it->first, it->second));
+      for (; it != end; ++it) block->push_back(Snap(camera, keyframes, it->first, it->second));
       cache->emplace(number, std::move(block));
     }
     it = end;

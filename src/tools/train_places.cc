@@ -1,7 +1,6 @@
 #include "rovio_sfm/tools/train_places.h"
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <opencv2/core.hpp>
 #include <ostream>
 #include <stdexcept>
@@ -14,6 +13,7 @@
 #include "rovio_sfm/tools/list_images.h"
 #include "rovio_sfm/tools/train_place_model.h"
 #include "rovio_sfm/util/check_options.h"
+#include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
 namespace {
@@ -27,11 +27,6 @@ struct Arguments {
   bool overwrite = false;
   TrainPlacesOptions options;
 };
-
-double SteadySeconds() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(now).count();
-}
 
 // A bar for each step, one below the other.
 class StepBars {

@@ -120,13 +120,5 @@ TEST(MatchDescriptors, RefusesEmptyAndForeignTypes) {
   EXPECT_TRUE(MatchDescriptors({}, l2, {}).empty());
 }
 
-TEST(MatchOptions, NamesTheBadOption) {
-  MatchOptions options;
-  options.checks = 0;
-  std::string error;
-  EXPECT_FALSE(IsValid(options, &error));
-  EXPECT_EQ(error, "checks = 0: expected 1 to 10000");
-}
-
 }  // namespace
 }  // namespace rovio_sfm

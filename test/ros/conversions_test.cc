@@ -72,7 +72,8 @@ TEST(Conversions, ZeroQuaternionIsRefused) {
 }
 
 TEST(Conversions, OdometryRoundTripsWithItsCovariance) {
-  const OdometrySample sample{1.0, -2.0, -3.0, {1, 0.1, 0.2, 0.1, 2, 0.3, 0.2, 0.3, 3}};
+  const OdometrySample sample{1.0, -2.0, -3.0,
+                              OdometryCovariance{1, 0.1, 0.2, 0.1, 2, 0.3, 0.2, 0.3, 3}};
   std::string error;
   const auto back = FromOdometry(ToOdometry(sample, 7, "odom", "base_link"), &error);
   ASSERT_TRUE(back) << error;
@@ -82,13 +83,31 @@ TEST(Conversions, OdometryRoundTripsWithItsCovariance) {
   EXPECT_EQ(back->covariance, sample.covariance);
 }
 
-TEST(Conversions, UnknownOdometryCovarianceBecomesZeros) {
-  nav_msgs::Odometry message = ToOdometry({}, 7, "odom", "base_link");
-  message.pose.covariance[0] = -1.0;
+TEST(Conversions, UnknownOdometryCovarianceStaysUnknown) {
   std::string error;
-  const auto sample = FromOdometry(message, &error);
-  ASSERT_TRUE(sample) << error;
-  EXPECT_EQ(sample->covariance, (std::array<double, 9>{}));
+  for (const size_t diagonal : {0u, 7u, 35u}) {
+    nav_msgs::Odometry message = ToOdometry({1.0, 2.0, 0.5}, 7, "odom", "base_link");
+    message.pose.covariance.fill(4.0);
+    message.pose.covariance[diagonal] = -1.0;
+    const auto sample = FromOdometry(message, &error);
+    ASSERT_TRUE(sample) << error;
+    EXPECT_FALSE(sample->covariance) << diagonal;
+  }
+  const OdometrySample unknown{1.0, 2.0, 0.5};
+  const auto again = FromOdometry(ToOdometry(unknown, 7, "odom", "base_link"), &error);
+  ASSERT_TRUE(again) << error;
+  EXPECT_FALSE(again->covariance);
+  const auto back = FromMessage(ToMessage(unknown), &error);
+  ASSERT_TRUE(back) << error;
+  EXPECT_FALSE(back->covariance);
+}
+
+TEST(Conversions, OdometryWithoutAnyUncertaintyIsNotUnknown) {
+  std::string error;
+  const auto back =
+      FromMessage(ToMessage(OdometrySample{1.0, 2.0, 0.5, OdometryCovariance{}}), &error);
+  ASSERT_TRUE(back) << error;
+  EXPECT_EQ(back->covariance, OdometryCovariance{});
 }
 
 TEST(Conversions, OdometryWithoutOrientationIsRefused) {

@@ -66,7 +66,7 @@ FrameEvent Keyframe(uint32_t num_features) {
     event.pairs.push_back(RandomPair(16 - i, 2 * num_features / 5, num_features, &rng));
   }
   event.links = {{1, 2}, {5, 9}};
-  event.odometry = OdometrySample{1.0, -2.0, 0.5, {1, 0, 0, 0, 2, 0, 0, 0, 3}};
+  event.odometry = OdometrySample{1.0, -2.0, 0.5, OdometryCovariance{1, 0, 0, 0, 2, 0, 0, 0, 3}};
   event.base_from_camera =
       Rigid3{Eigen::Quaterniond(0.5, -0.5, 0.5, -0.5), Eigen::Vector3d(0.1, 0.0, 0.2)};
   event.blur = 12.5;

@@ -2,7 +2,9 @@
 
 #include <vector>
 
-#include "rovio_sfm/matching/match_descriptors.h"
+#include "rovio_sfm/matching/match_options.h"
+#include "rovio_sfm/scene/frame.h"
+#include "rovio_sfm/scene/match.h"
 
 namespace rovio_sfm {
 

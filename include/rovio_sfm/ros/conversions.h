@@ -47,7 +47,7 @@ std::optional<OdometrySample> FromMessage(const OdometrySampleMsg& message, std:
 Rigid3 OdomFromBase(const OdometrySample& sample);
 
 // The planar part of an odometry message: x, y and yaw with their covariance. Refuses numbers that
-// are not finite; a covariance that is unknown (negative variance) becomes zeros.
+// are not finite; a negative variance means that the covariance is not known.
 std::optional<OdometrySample> FromOdometry(const nav_msgs::Odometry& message, std::string* error);
 nav_msgs::Odometry ToOdometry(const OdometrySample& sample, int64_t stamp_ns,
                               const std::string& odom_frame, const std::string& base_frame);

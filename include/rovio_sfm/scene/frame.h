@@ -47,10 +47,13 @@ struct FrameFeatures {
   Descriptors descriptors;
 };
 
-// Wheel odometry at an image's stamp. Covariance of (x m, y m, yaw rad) in odom, row-major.
+// Of (x m, y m, yaw rad) in odom, row-major.
+using OdometryCovariance = std::array<double, 9>;
+
+// Wheel odometry at an image's stamp.
 struct OdometrySample {
-  double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;  // odom_from_base in the plane
-  std::array<double, 9> covariance{};
+  double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;         // odom_from_base in the plane
+  std::optional<OdometryCovariance> covariance = {};  // nothing: not known
 };
 
 enum class FrameKind : uint8_t { kKeyframe = 0, kLight = 1 };

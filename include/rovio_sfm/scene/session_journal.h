@@ -10,18 +10,9 @@
 #include "rovio_sfm/geometry/rigid3.h"
 #include "rovio_sfm/scene/ids.h"
 #include "rovio_sfm/scene/map_snapshot.h"
+#include "rovio_sfm/scene/session_parts.h"
 
 namespace rovio_sfm {
-
-struct Keyframe;
-struct Landmark;
-struct LightFrame;
-
-// In which epoch a part of a session was born, and first moved or changed otherwise. 0: before the
-// first mark.
-struct EpochStamps {
-  uint32_t born = 0, moved = 0, changed = 0;
-};
 
 // What a session was at a mark, as far as it changed before the next one: the values that were
 // replaced, oldest first. What was born since is known by its stamps and needs no entry.

@@ -163,15 +163,6 @@ const std::map<std::string, Drawer>& Drawers() {
 
 }  // namespace
 
-const std::vector<std::string>& KnownMarks() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> keys;
-    for (const auto& [name, drawer] : Drawers()) keys.push_back(name);
-    return keys;
-  }();
-  return names;
-}
-
 void DrawMarks(const std::string& mark, const TextureSpec& spec, Rng& rng, cv::Mat* image) {
   const auto drawer = Drawers().find(mark);
   ROVIO_CHECK(drawer != Drawers().end());

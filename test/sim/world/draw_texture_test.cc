@@ -43,21 +43,5 @@ TEST(DrawTexture, CoversTheAskedShareWithPatches) {
   EXPECT_NEAR(dark, 0.5, 0.12);
 }
 
-TEST(TextureSpec, NamesAnUnknownMark) {
-  TextureSpec spec = Spec();
-  spec.marks = {"glitter"};
-  std::string error;
-  EXPECT_FALSE(spec.IsValid(&error));
-  EXPECT_NE(error.find("glitter"), std::string::npos);
-}
-
-TEST(TextureSpec, RefusesAHugeTexture) {
-  TextureSpec spec = Spec();
-  spec.width_px = 100000;
-  std::string error;
-  EXPECT_FALSE(spec.IsValid(&error));
-  EXPECT_NE(error.find("width_px"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace rovio_sfm::sim

@@ -3,7 +3,7 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "rovio_sfm/sim/world/draw_texture.h"
+#include "rovio_sfm/sim/world/texture_spec.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm::sim {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rovio_sfm/geometry/rigid3.h"
-#include "rovio_sfm/sim/world/draw_texture.h"
+#include "rovio_sfm/sim/world/texture_spec.h"
 
 namespace rovio_sfm::sim {
 
