@@ -6,7 +6,7 @@ add_test(NAME check_docs COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_docs)
 
 # In sanitized builds: what reads untrusted bytes (the robot's replies, requests to the simulated one,
 # files), with its tests and no more than it needs, so that the build takes a minute.
-if(ROVIO_SANITIZE)
+if(ROVIO_SANITIZE STREQUAL "address")
   set(PARSERS rovio/mjpeg_parser rovio/jpeg_check rovio/rovio_protocol rovio/header_value
               sim/http/http_request sim/http/parameters sim/http/tcp_socket io/text_file io/odometry_file
               io/trajectory_file io/dataset_folder io/calibration)

@@ -49,5 +49,6 @@ function(rovio_program NAME)
 endfunction()
 
 function(rovio_compile_options TARGET)
-  target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wshadow -Wconversion -Werror)
+  target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wshadow -Wconversion -Werror
+                         $<$<CXX_COMPILER_ID:Clang>:-Wthread-safety>)
 endfunction()
