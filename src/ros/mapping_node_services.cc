@@ -7,13 +7,12 @@
 #include "rovio_sfm/ros/mapping_node.h"
 #include "rovio_sfm/ros/status.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
 namespace {
 
 constexpr char kDropped[] = "the call was refused: too many wait already, or the node ends";
-
-double SteadySeconds() { return ros::SteadyTime::now().toSec(); }
 
 }  // namespace
 
