@@ -141,8 +141,10 @@ void ExpectFreshSnapshot(const Session& session) {
   const SessionSnapshot snapshot = session.Snapshot();
   FrameBlocks no_frames;
   LandmarkBlocks no_landmarks;
-  ExpectSameBlocks(snapshot.frames, UpdateFrameBlocks(session, &no_frames));
-  ExpectSameBlocks(snapshot.landmarks, UpdateLandmarkBlocks(session, &no_landmarks));
+  ExpectSameBlocks(snapshot.frames,
+                   UpdateFrameBlocks(session.keyframes(), session.light_frames(), &no_frames));
+  ExpectSameBlocks(snapshot.landmarks, UpdateLandmarkBlocks(session.camera(), session.keyframes(),
+                                                            session.landmarks(), &no_landmarks));
 }
 
 TEST(SessionMutations, KeepTheInvariantsAndTheSnapshotsFresh) {
