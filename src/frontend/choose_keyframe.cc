@@ -6,6 +6,7 @@
 
 #include "rovio_sfm/geometry/relative_pose.h"
 #include "rovio_sfm/util/check.h"
+#include "rovio_sfm/util/median.h"
 #include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
@@ -13,12 +14,6 @@ namespace {
 
 constexpr double kCornerQuality = 0.005, kCornerDistancePx = 10.0;
 constexpr size_t kMinCorners = 8;  // fewer tell nothing: the overlap counts as lost
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Undistorted points of half-size pixels, where both can be undistorted.
 struct PointPairs {
@@ -126,7 +121,7 @@ void KeyframeChooser::SetOptions(const ChooseOptions& options) {
 double KeyframeChooser::SharpnessShare(double sharpness) {
   sharpness_.push_back(sharpness);
   while (sharpness_.size() > static_cast<size_t>(options_.sharpness_window)) sharpness_.pop_front();
-  const double median = Median({sharpness_.begin(), sharpness_.end()});
+  const double median = Median<double>({sharpness_.begin(), sharpness_.end()});
   return median > 0.0 ? sharpness / median : 0.0;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "rovio_sfm/features/select_keypoints.h"
+#include "rovio_sfm/util/median.h"
 #include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
@@ -43,10 +44,7 @@ cv::Point2f MedianShift(const std::vector<cv::Point2f>& from,
     y.push_back(to[i]->y - from[i].y);
   }
   if (x.empty()) return {};
-  const auto middle = static_cast<std::ptrdiff_t>(x.size() / 2);
-  std::nth_element(x.begin(), x.begin() + middle, x.end());
-  std::nth_element(y.begin(), y.begin() + middle, y.end());
-  return {x[x.size() / 2], y[y.size() / 2]};
+  return {Median(std::move(x)), Median(std::move(y))};
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "rovio_sfm/geometry/ransac.h"
 #include "rovio_sfm/geometry/relative_pose.h"
 #include "rovio_sfm/util/check.h"
+#include "rovio_sfm/util/median.h"
 
 namespace rovio_sfm {
 namespace {
@@ -54,11 +55,9 @@ RansacOptions MakeRansacOptions(const PairProblem& problem) {
   return options;
 }
 
-double Median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+// 0 of nothing.
+double MedianOf(std::vector<double> values) {
+  return values.empty() ? 0.0 : Median(std::move(values));
 }
 
 // The matches whose squared residual is below the squared threshold.
@@ -86,7 +85,7 @@ std::optional<Eigen::Quaterniond> EstimateRotationRobustly(const PointPairs& poi
   auto rotation = EstimateRotation(points.a, points.b);
   for (int round = 0; rotation && round < 2; ++round) {
     const std::vector<double> flow = RotationFlow(points, *rotation);
-    const double limit = 2.0 * Median(flow);
+    const double limit = 2.0 * MedianOf(flow);
     std::vector<uint32_t> near;
     for (uint32_t i = 0; i < points.Count(); ++i) {
       if (flow[i] <= limit) near.push_back(i);
@@ -102,7 +101,7 @@ double MedianSampsonError(const PointPairs& points, const Eigen::Matrix3d& essen
   for (uint32_t i = 0; i < points.Count(); ++i) {
     errors[i] = std::sqrt(SquaredSampsonError(essential, points.a[i], points.b[i]));
   }
-  return Median(std::move(errors));
+  return MedianOf(std::move(errors));
 }
 
 // The angle between the rays of each match once the rotation is removed; its median.
@@ -113,7 +112,7 @@ double MedianParallax(const PointPairs& points, const Eigen::Quaterniond& rotati
     const Eigen::Vector3d ray_b = points.b[i].homogeneous();
     angles[i] = std::atan2(ray_a.cross(ray_b).norm(), ray_a.dot(ray_b));
   }
-  return Median(std::move(angles));
+  return MedianOf(std::move(angles));
 }
 
 // H's share of the summed scores; a model's score here is what its truncated loss saves. H's
@@ -262,7 +261,7 @@ PairVerification VerifyPair(const std::vector<Eigen::Vector2d>& points_a,
   const PointPairs inliers = problem.points.Select(report->inliers);
   const auto rotation = EstimateRotationRobustly(inliers);
   if (!rotation) return result;
-  const double median_flow = Median(RotationFlow(inliers, *rotation));
+  const double median_flow = MedianOf(RotationFlow(inliers, *rotation));
   result.median_flow_px = median_flow * focal_px;
   const double outlier_loss = problem.points.Count() - static_cast<double>(inliers.Count());
   result.homography_share = HomographyShare(problem, inliers, report->score - outlier_loss, rng);

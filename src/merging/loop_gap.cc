@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
+
+#include "rovio_sfm/util/median.h"
 
 namespace rovio_sfm {
 
@@ -36,9 +39,7 @@ double MedianDepth(const Session& session, uint32_t frame) {
     depths.push_back((keyframe.cam_from_session * landmark.position).z());
   }
   if (depths.empty()) return 0.0;
-  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-  std::nth_element(depths.begin(), middle, depths.end());
-  return *middle;
+  return Median(std::move(depths));
 }
 
 }  // namespace rovio_sfm

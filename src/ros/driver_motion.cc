@@ -9,18 +9,13 @@
 
 #include "rovio_sfm/ros/driver_odometry_message.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
 namespace {
 
 constexpr double kDriveTickS = 0.025;     // how exactly the repeat period is kept
 constexpr double kCommandTimeoutS = 1.0;  // a stop must not wait longer behind a lost command
-
-int64_t SteadyNs() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
 
 int64_t RosNs() { return static_cast<int64_t>(ros::Time::now().toNSec()); }
 

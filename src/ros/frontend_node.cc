@@ -12,6 +12,7 @@
 #include "rovio_sfm/ros/image_bytes.h"
 #include "rovio_sfm/ros/topics.h"
 #include "rovio_sfm/util/check.h"
+#include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
 namespace {
@@ -20,8 +21,6 @@ constexpr size_t kHistoryEvents = 100;
 constexpr size_t kHistoryBytes = 100u << 20;
 constexpr double kWarnPeriodS = 10.0;
 constexpr uint32_t kAtStart = ~0u;  // dynamic_reconfigure's level of its first call
-
-double SteadySeconds() { return ros::SteadyTime::now().toSec(); }
 
 void PublishImage(const cv::Mat& bgr, const std_msgs::Header& header,
                   const ros::Publisher& publisher) {

@@ -7,6 +7,7 @@
 #include "rovio_sfm/ros/fetch_frames.h"
 #include "rovio_sfm/ros/place_match_message.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
 namespace {
@@ -17,8 +18,6 @@ constexpr double kEdgePeriodS = 0.05;
 constexpr double kMapPeriodS = 0.25;
 constexpr double kWarnPeriodS = 10.0;
 constexpr uint32_t kServiceThreads = 2;  // one call may wait for the worker, another answer
-
-double SteadySeconds() { return ros::SteadyTime::now().toSec(); }
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include "rovio_sfm/ros/place_match_message.h"
 #include "rovio_sfm/ros/place_status_message.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
 namespace {
@@ -19,8 +20,6 @@ constexpr double kWarnPeriodS = 10.0;
 constexpr size_t kBytesPerMb = 1u << 20;
 constexpr size_t kMaxTold = 200;         // matches, some kB each
 constexpr uint32_t kServiceThreads = 1;  // calls wait for the worker one after the other
-
-double SteadySeconds() { return ros::SteadyTime::now().toSec(); }
 
 }  // namespace
 

@@ -3,7 +3,6 @@
 #include <yaml-cpp/yaml.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <filesystem>
 #include <opencv2/core.hpp>
 #include <ostream>
@@ -15,6 +14,7 @@
 #include "rovio_sfm/app/progress_bar.h"
 #include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/ros/bag_images.h"
+#include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
 namespace {
@@ -24,10 +24,6 @@ struct Arguments : MappingArguments {
   std::string frontend_file, mapper_file;
   SensorOptions sensors;
 };
-
-double SteadySeconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 void Declare(Arguments* arguments, CLI::App* app) {
   app->add_option("bags", arguments->bags, "bags; each robot of each is a drive")->required();

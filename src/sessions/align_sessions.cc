@@ -7,6 +7,7 @@
 #include "rovio_sfm/geometry/ransac.h"
 #include "rovio_sfm/sessions/cross_residual.h"
 #include "rovio_sfm/sessions/fit_similarity.h"
+#include "rovio_sfm/util/median.h"
 #include "rovio_sfm/util/option_checker.h"
 
 namespace rovio_sfm {
@@ -130,12 +131,6 @@ AlignRefusal CheckUncertainty(const std::vector<CrossMatch>& matches, const Alig
     return AlignRefusal::kScaleUncertain;
   }
   return AlignRefusal::kNone;
-}
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 std::vector<double> LogDepthRatios(const std::vector<CrossMatch>& matches, const Rigid3& cam_from_a,

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "rovio_sfm/util/check.h"
+#include "rovio_sfm/util/median.h"
 
 namespace rovio_sfm {
 namespace {
@@ -142,9 +144,7 @@ double MedianSwitchableError(const PoseGraph& graph) {
     if (edge.switchable) errors.push_back(EdgeErrorSigmas(graph, edge));
   }
   if (errors.empty()) return 0.0;
-  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-  std::nth_element(errors.begin(), middle, errors.end());
-  return *middle;
+  return Median(std::move(errors));
 }
 
 // The limits of the switchable edges, from one that most of them keep to the last.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "rovio_sfm/util/median.h"
 
 namespace rovio_sfm {
 namespace {
@@ -95,9 +98,7 @@ Paired PairAt(const std::vector<TurnRate>& rates, double delay_s) {
 double MedianDuration(const std::vector<TurnRate>& rates) {
   std::vector<double> durations;
   for (const TurnRate& rate : rates) durations.push_back(rate.duration_s);
-  const auto middle = durations.begin() + static_cast<std::ptrdiff_t>(durations.size() / 2);
-  std::nth_element(durations.begin(), middle, durations.end());
-  return *middle;
+  return Median(std::move(durations));
 }
 
 // The scanned delay of the greatest correlation; nothing where it lies at the border.

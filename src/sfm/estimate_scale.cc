@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "rovio_sfm/util/median.h"
 
 namespace rovio_sfm {
 namespace {
@@ -90,11 +93,8 @@ std::optional<MapScale> EstimateScale(const std::vector<ScaleSample>& samples,
     weight_sum += 1.0 / (window.gain_sigma * window.gain_sigma);
     gain_sum += 1.0 / window.gain_sigma;
   }
-  std::nth_element(deviations.begin(),
-                   deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2),
-                   deviations.end());
   const double scatter =
-      1.4826 * deviations[deviations.size() / 2] / std::sqrt(static_cast<double>(num_disjoint));
+      1.4826 * Median(std::move(deviations)) / std::sqrt(static_cast<double>(num_disjoint));
   // The gains of all windows are one unknown each way, so they do not average out.
   const double gain_sigma = gain_sum / weight_sum;
   return MapScale{std::exp(log_scale), std::hypot(scatter, gain_sigma), "odometry"};

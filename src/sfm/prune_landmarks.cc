@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "rovio_sfm/geometry/triangulate.h"
+#include "rovio_sfm/util/median.h"
 
 namespace rovio_sfm {
 namespace {
@@ -86,9 +88,7 @@ double ResidualSpread(const Session& session) {
     }
   }
   if (residuals.empty()) return 0.0;
-  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-  std::nth_element(residuals.begin(), middle, residuals.end());
-  return 1.4826 * *middle;
+  return 1.4826 * Median(std::move(residuals));
 }
 
 }  // namespace rovio_sfm

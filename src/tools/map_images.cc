@@ -1,7 +1,6 @@
 #include "rovio_sfm/tools/map_images.h"
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <ostream>
@@ -12,6 +11,7 @@
 #include "rovio_sfm/io/dataset_folder.h"
 #include "rovio_sfm/io/text_file.h"
 #include "rovio_sfm/tools/map_summary.h"
+#include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
 namespace {
@@ -23,12 +23,6 @@ struct Arguments : MappingArguments {
   size_t stride = 1;
   bool without_odometry = false;
 };
-
-int64_t SteadyNs() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
 
 void Declare(Arguments* arguments, CLI::App* app) {
   app->add_option("folders", arguments->folders, "folders of images, each one a drive")->required();

@@ -1,7 +1,6 @@
 #include "rovio_sfm/tools/train_places.h"
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <opencv2/core.hpp>
 #include <ostream>
 #include <stdexcept>
@@ -13,6 +12,7 @@
 #include "rovio_sfm/app/progress_bar.h"
 #include "rovio_sfm/tools/list_images.h"
 #include "rovio_sfm/tools/train_place_model.h"
+#include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
 namespace {
@@ -26,11 +26,6 @@ struct Arguments {
   bool overwrite = false;
   TrainPlacesOptions options;
 };
-
-double SteadySeconds() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(now).count();
-}
 
 // A bar for each step, one below the other.
 class StepBars {

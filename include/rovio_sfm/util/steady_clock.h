@@ -1,0 +1,18 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace rovio_sfm {
+
+// A clock that never jumps, for programs and nodes to measure how long something takes; the core
+// reads none. Since some moment before the program began.
+inline int64_t SteadyNs() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+inline double SteadySeconds() { return 1e-9 * static_cast<double>(SteadyNs()); }
+
+}  // namespace rovio_sfm
