@@ -107,7 +107,7 @@ void KeyframeChooser::SetOptions(const ChooseOptions& options) {
 double KeyframeChooser::SharpnessShare(double sharpness) {
   sharpness_.push_back(sharpness);
   while (sharpness_.size() > static_cast<size_t>(options_.sharpness_window)) sharpness_.pop_front();
-  const double median = Median({sharpness_.begin(), sharpness_.end()});
+  const double median = Median<double>({sharpness_.begin(), sharpness_.end()});
   return median > 0.0 ? sharpness / median : 0.0;
 }
 
