@@ -7,6 +7,10 @@
 namespace rovio_sfm {
 namespace {
 
+constexpr int kMaxIterations = 30;       // per level
+constexpr double kConvergencePx = 0.01;  // a step that ends the iteration
+constexpr double kMinEigenvalue = 1e-4;  // least texture, in OpenCV's scale
+
 struct Flow {
   std::vector<cv::Point2f> points;
   std::vector<uint8_t> found;
@@ -16,11 +20,11 @@ Flow RunFlow(const FlowPyramid& from, const FlowPyramid& to, const std::vector<c
              const std::vector<cv::Point2f>& guesses, const FlowOptions& options) {
   Flow flow{guesses, {}};
   std::vector<float> errors;
-  const cv::TermCriteria criteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS,
-                                  options.max_iterations, options.convergence_px);
+  const cv::TermCriteria criteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, kMaxIterations,
+                                  kConvergencePx);
   cv::calcOpticalFlowPyrLK(from.levels, to.levels, points, flow.points, flow.found, errors,
                            cv::Size(options.window_px, options.window_px), options.levels, criteria,
-                           cv::OPTFLOW_USE_INITIAL_FLOW, options.min_eigenvalue);
+                           cv::OPTFLOW_USE_INITIAL_FLOW, kMinEigenvalue);
   return flow;
 }
 

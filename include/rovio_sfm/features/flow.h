@@ -13,20 +13,14 @@ namespace rovio_sfm {
 struct FlowOptions {
   int window_px = 21;
   int levels = 3;
-  int max_iterations = 30;
-  double convergence_px = 0.01;
   double max_backward_error_px = 0.5;
-  double min_eigenvalue = 1e-4;
 
   void DescribeOptions(OptionTable& table) {
     table.AddNumber("window_px", window_px, 5, 61, "side of the patch");
     table.AddRule("window_px", window_px % 2 == 1, "an odd number");
     table.AddNumber("levels", levels, 0, 6, "of the pyramid above the image");
-    table.AddNumber("max_iterations", max_iterations, 1, 100, "per level");
-    table.AddNumber("convergence_px", convergence_px, 1e-4, 1.0, "step that ends the iteration");
     table.AddLiveNumber("max_backward_error_px", max_backward_error_px, 0.01, 10.0,
                         "there and back again must end here");
-    table.AddNumber("min_eigenvalue", min_eigenvalue, 0.0, 1.0, "least texture, OpenCV's scale");
   }
 };
 
