@@ -31,8 +31,7 @@ struct ExtractOptions {
                     "of features and descriptors");
     table.AddLiveNumber("max_features", max_features, 16, 20000,
                         "of an image; at 1000 a keyframe event stays below 200 kB");
-    table.AddNumber("candidate_factor", candidate_factor, 1.0, 10.0,
-                    "wanted before the even spread, times max_features");
+    table.AddNumber("candidate_factor", candidate_factor, 1.0, 10.0, "of max_features, to choose");
     table.AddLiveNumber("sift_contrast", sift_contrast, 1e-4, 0.2,
                         "least; low, because the spread chooses");
     table.AddNumber("sift_edge", sift_edge, 2.0, 100.0, "greatest edge ratio");

@@ -27,8 +27,7 @@ struct BootstrapOptions {
     table.AddNumber("patience", patience, 1, 1000, "keyframes after a good pair for a wider one");
     table.AddNumber("hurry_after", hurry_after, 2, 1000,
                     "held keyframes from which hurried_angle_deg will do");
-    table.AddNumber("hurried_angle_deg", hurried_angle_deg, 0.5, 45.0,
-                    "driving forward shows no more");
+    table.AddNumber("hurried_angle_deg", hurried_angle_deg, 0.5, 45.0, "seen driving forward");
     table.AddRule("hurried_angle_deg", hurried_angle_deg <= min_angle_deg, "at most min_angle_deg");
   }
 };
@@ -65,11 +64,8 @@ struct AdjustOptions {
 
   void DescribeOptions(OptionTable& table) {
     table.AddNumber("local_frames", local_frames, 2, 50, "free ones of a local adjustment");
-    table.AddNumber(
-        "running_max_iterations", running_max_iterations, 1, 200,
-        "of the local, session and map adjustments of a running drive; the next goes on");
-    table.AddNumber("final_max_iterations", final_max_iterations, 1, 1000,
-                    "of those at the end of a session or a run");
+    table.AddNumber("running_max_iterations", running_max_iterations, 1, 200, "while a drive runs");
+    table.AddNumber("final_max_iterations", final_max_iterations, 1, 1000, "at a session's end");
     table.AddNumber("global_growth", global_growth, 0.01, 10.0,
                     "a global one when frames or landmarks grew by this share");
     table.AddNumber("max_global_frames", max_global_frames, 10, 100000, "larger maps: by windows");

@@ -32,8 +32,7 @@ struct VerifyPairOptions {
   double min_flow_noise_ratio = 3.5;
 
   void DescribeOptions(OptionTable& table) {
-    table.AddLiveNumber("threshold_px", threshold_px, 0.01, 50.0,
-                        "largest Sampson error of an inlier");
+    table.AddLiveNumber("threshold_px", threshold_px, 0.01, 50.0, "an inlier's Sampson error");
     table.AddLiveNumber("min_inliers", min_inliers, 8, 10000, "fewer: a failed pair");
     table.AddNumber("max_iterations", max_iterations, 1, 100000, "samples");
     table.AddNumber("min_iterations", min_iterations, 0, 100000, "even if fewer seem enough");

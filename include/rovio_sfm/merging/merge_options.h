@@ -34,8 +34,7 @@ struct MergeOptions {
     table.AddNumber("search_neighbours", search_neighbours, 0, 20,
                     "keyframes on both sides of an overlap that are searched");
     table.AddNumber("patience", patience, 1, 1'000'000, "keyframes for which a place match waits");
-    table.AddNumber("max_overlaps", max_overlaps, 0, 1'000'000,
-                    "place matches used of two drives; 0: all");
+    table.AddNumber("max_overlaps", max_overlaps, 0, 1'000'000, "used of two drives; 0: all");
     table.AddNumber("max_shared_landmarks", max_shared_landmarks, 0.0, 1.0,
                     "of two provisional overlaps that confirm each other, at most this share");
     table.AddNumber("max_scale_gap", max_scale_gap, 1e-4, 1.0, "of them, and of a loop: relative");

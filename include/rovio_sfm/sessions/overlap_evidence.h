@@ -40,8 +40,7 @@ struct EvidenceOptions {
     table.AddRule("min_rows", min_rows <= grid_size, "at most grid_size");
     table.AddNumber("min_columns", min_columns, 1, 100, "that hold inliers");
     table.AddRule("min_columns", min_columns <= grid_size, "at most grid_size");
-    table.AddNumber("min_depth_ratio", min_depth_ratio, 1.0, 100.0,
-                    "90th to 10th percentile of the depths");
+    table.AddNumber("min_depth_ratio", min_depth_ratio, 1.0, 100.0, "90th to 10th percentile");
     table.AddNumber("min_off_plane_share", min_off_plane_share, 0.0, 1.0, "off the best plane");
     table.AddNumber("max_plane_error", max_plane_error, 1e-4, 1.0, "as a share of the distance");
     table.AddNumber("min_visible", min_visible, 1, 100000, "that should be seen, to know a share");
