@@ -46,7 +46,8 @@ if(ROVIO_WITH_ROS)
 endif()
 
 # The simulated robot stands apart and shares nothing with rovio/.
-rovio_library(sim/world LINKS rovio_geometry embree PkgConfig::YAMLCPP ${OPENCV})
+rovio_library(sim/world LINKS rovio_geometry embree PkgConfig::YAMLCPP ${OPENCV}
+                        TEST_LINKS rovio_sim_robot)
 rovio_library(sim/robot LINKS rovio_sim_world)
 rovio_library(sim/tour  LINKS rovio_sim_robot)
 rovio_library(sim/http  LINKS rovio_sim_robot)

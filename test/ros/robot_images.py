@@ -42,12 +42,15 @@ class Robot:
         self.info.publish(info)
         self.odom.publish(odom)
         self.image.publish(image)
+        return stamp
 
     def send_until_frame(self, frames, shift_px):
-        """The frame event of a picture, sent again until one comes."""
-        count = frames.count()
+        """The frame event of a picture, sent again until one comes; not one of a picture sent before."""
+        first_stamp = None
         for _ in range(int(WAIT_S / 2)):
-            self.send(shift_px)
-            if frames.grows_by(1, 2.0):
-                return frames.messages[count]
+            stamp = self.send(shift_px)
+            first_stamp = first_stamp or stamp
+            new = lambda: [m for m in frames.messages if m.header.stamp >= first_stamp]
+            if wait_until(new, 2.0):
+                return new()[0]
         raise AssertionError("no frame event came")

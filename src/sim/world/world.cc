@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rovio_sfm/sim/world/draw_texture.h"
+
 namespace rovio_sfm::sim {
 namespace {
 

@@ -6,7 +6,8 @@ namespace rovio_sfm::sim {
 namespace {
 
 TEST(TextureSpec, NamesAnUnknownMark) {
-  TextureSpec spec = Spec();
+  TextureSpec spec;
+  spec.name = "test";
   spec.marks = {"glitter"};
   std::string error;
   EXPECT_FALSE(spec.IsValid(&error));
@@ -14,7 +15,8 @@ TEST(TextureSpec, NamesAnUnknownMark) {
 }
 
 TEST(TextureSpec, RefusesAHugeTexture) {
-  TextureSpec spec = Spec();
+  TextureSpec spec;
+  spec.name = "test";
   spec.width_px = 100000;
   std::string error;
   EXPECT_FALSE(spec.IsValid(&error));
