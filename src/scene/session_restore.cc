@@ -33,6 +33,8 @@ uint32_t Session::Mark() {
   epochs_.emplace_back();
   epochs_.back().number = ++num_marks_;
   epochs_.back().scale = scale_;
+  epochs_.back().poses.reserve(keyframes_.size());  // an adjustment of the map moves every one
+  epochs_.back().positions.reserve(landmarks_.size());
   return num_marks_;
 }
 
