@@ -1,6 +1,7 @@
 """What the demo stands on: the graph of nodes, the truth of the simulators, a look at the maps."""
 
 import http.client
+import math
 import os
 import signal
 import socket
@@ -113,12 +114,13 @@ class TruthRecorder(threading.Thread):
 
 def describe(merge):
     """A merge report in a line; mapping's message says what every figure is."""
+    after = "to be adjusted" if math.isnan(merge.error_after_px) else f"{merge.error_after_px:.2f} px"
     return (f"{KINDS[merge.kind]} {merge.id} {VERDICTS[merge.verdict]}: session "
             f"{merge.query_session} ({merge.query.drive.robot}/{merge.query.index}) on "
             f"{merge.other_session} ({merge.other.drive.robot}/{merge.other.index}), "
             f"{merge.num_matches} matches, {merge.num_inliers} inliers, {merge.num_links} links, "
-            f"scale {merge.scale:.3f}, error {merge.error_before_px:.2f} -> "
-            f"{merge.error_after_px:.2f} px; {merge.reason}"
+            f"scale {merge.scale:.3f}, error {merge.error_before_px:.2f} px -> "
+            f"{after}; {merge.reason}"
             + (f"; warning: {merge.warning}" if merge.warning else ""))
 
 

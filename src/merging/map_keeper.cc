@@ -168,6 +168,8 @@ void MapKeeper::Accept(AcceptedBy by, MergeEdit* edit) {
   list_.Place();
   const MapId map = list_.PlaceOf(report.query_session).map;
   list_.RaiseRevision(map);
+  const std::vector<PlacedSession> placed = list_.SessionsOf(map, &sessions_);
+  report.error_before_px = MeasureLinks(placed, edit->links).median_error_px;
   StartAdjusting(map, *edit);
 }
 

@@ -210,7 +210,7 @@ TEST(MapKeeper, AMergeOvertakesTheAdjustmentThatRuns) {
   for (int i = 0; i < ResultDelay(48); ++i) three.keeper.CountKeyframe();
   const std::vector<MergeReport> reports = three.keeper.Reports();
   EXPECT_FALSE(reports[0].error_after_px);
-  EXPECT_TRUE(reports[1].error_after_px);
+  ASSERT_TRUE(reports[1].error_after_px);
 }
 
 // What would have to be judged in full while the map is adjusted may fit it afterwards.

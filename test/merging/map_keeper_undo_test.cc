@@ -25,6 +25,7 @@ TEST(MapKeeperUndo, UndoesAnAdjustedMergeToTheByte) {
   ASSERT_TRUE(sessions.InOneMap());
   EXPECT_EQ(sessions.Bytes(), before) << "the adjustment comes later";
   EXPECT_FALSE(sessions.keeper.Reports()[0].error_after_px);
+  EXPECT_GT(sessions.keeper.Reports()[0].error_before_px, 0.1);
   sessions.PassKeyframes();
   EXPECT_NE(sessions.Bytes(), before);
   EXPECT_TRUE(sessions.keeper.Reports()[0].error_after_px);
