@@ -165,13 +165,11 @@ MapAdjustment::MapAdjustment(const std::vector<PlacedSession>& sessions,
                              const std::vector<FeatureLink>& links, const MapperOptions& options,
                              Executor* executor, ResultTiming timing)
     : sessions_(sessions),
-      before_(MeasureLinks(sessions, links)),
       result_(SolveBeside(sessions, links, options, executor), NumFrames(sessions), timing) {}
 
 MapAdjustmentReport MapAdjustment::Apply(const MapperOptions& options,
                                          std::vector<FeatureLink>* links, StageTimes* times) {
   MapAdjustmentReport report;
-  report.before = before_;
   if (const std::unique_ptr<MapBundle> bundle = result_.Take(times)) {
     bundle->Apply();
     report.usable = true;

@@ -22,8 +22,9 @@ LinkStatistics MeasureLinks(const std::vector<PlacedSession>& sessions,
                             const std::vector<FeatureLink>& links);
 
 struct MapAdjustmentReport {
-  bool usable = false;  // false: no pose was changed
-  LinkStatistics before, after;
+  bool usable = false;    // false: no pose was changed
+  LinkStatistics before;  // final adjustments only
+  LinkStatistics after;
   uint32_t num_dropped_links = 0;
   SharedLandmarks shared;  // what the links that hold have made one point
 };
@@ -51,7 +52,6 @@ class MapAdjustment {
 
  private:
   std::vector<PlacedSession> sessions_;
-  LinkStatistics before_;
   DelayedResult<std::unique_ptr<MapBundle>> result_;  // null: not usable
 };
 
