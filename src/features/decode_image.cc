@@ -69,7 +69,7 @@ std::optional<ImageSize> PngSize(const std::vector<uint8_t>& bytes) {
   return ImageSize{static_cast<int>(side(16)), static_cast<int>(side(20))};
 }
 
-DecodeResult Refuse(const std::string& reason) { return {cv::Mat(), reason}; }
+DecodeResult RefuseImage(const std::string& reason) { return {cv::Mat(), reason}; }
 
 }  // namespace
 
@@ -93,19 +93,21 @@ bool HasJpegEnd(const std::vector<uint8_t>& encoded) {
 
 DecodeResult DecodeImage(const std::vector<uint8_t>& encoded, int64_t max_pixels) {
   const auto size = EncodedImageSize(encoded);
-  if (!size) return Refuse("no JPEG or PNG with a readable header");
+  if (!size) return RefuseImage("no JPEG or PNG with a readable header");
   if (static_cast<int64_t>(size->width) * size->height > max_pixels) {
-    return Refuse("image of " + std::to_string(size->width) + "x" + std::to_string(size->height) +
-                  " px: expected at most " + std::to_string(max_pixels) + " pixels");
+    return RefuseImage("image of " + std::to_string(size->width) + "x" +
+                       std::to_string(size->height) + " px: expected at most " +
+                       std::to_string(max_pixels) + " pixels");
   }
-  if (IsJpeg(encoded) && !HasJpegEnd(encoded)) return Refuse("JPEG without an end marker");
+  if (IsJpeg(encoded) && !HasJpegEnd(encoded)) return RefuseImage("JPEG without an end marker");
   try {
     cv::Mat bgr = cv::imdecode(encoded, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
-    if (bgr.empty()) return Refuse("image data cannot be decoded");
-    if (bgr.cols != size->width || bgr.rows != size->height) return Refuse("size is contradictory");
+    if (bgr.empty()) return RefuseImage("image data cannot be decoded");
+    if (bgr.cols != size->width || bgr.rows != size->height)
+      return RefuseImage("size is contradictory");
     return {bgr, ""};
   } catch (const cv::Exception& exception) {
-    return Refuse("image data cannot be decoded: " + exception.err);
+    return RefuseImage("image data cannot be decoded: " + exception.err);
   }
 }
 

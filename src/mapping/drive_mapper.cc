@@ -33,7 +33,7 @@ DriveMapper::DriveMapper(const MapperContext& context, DriveId drive, Camera cam
 MapperReport DriveMapper::Add(const FrameEvent& event) {
   Settle();
   MapperReport report;
-  const auto reason = Refuse(event);
+  const auto reason = RefusalOf(event);
   if (!reason && current().state() == SessionState::kFinished) OpenSession();
   if (reason) {
     ++counters_.refused_events;
@@ -63,7 +63,7 @@ void DriveMapper::Settle() {
   if (last_pose_) last_pose_ = current().keyframes().rbegin()->second.cam_from_session;
 }
 
-std::optional<std::string> DriveMapper::Refuse(const FrameEvent& event) {
+std::optional<std::string> DriveMapper::RefusalOf(const FrameEvent& event) {
   if (!(event.camera == camera_)) return "camera: expected that of the drive's first frame";
   if (next_index_ && event.id.index < *next_index_) {
     return "index " + std::to_string(event.id.index) + ": expected " +
@@ -127,7 +127,7 @@ void DriveMapper::EnterMap(uint32_t first_index) {
 void DriveMapper::HoldAll(const std::vector<FrameEvent>& events) {
   MapperReport unused;
   for (const FrameEvent& event : events) {
-    if (Refuse(event)) {
+    if (RefusalOf(event)) {
       ++counters_.refused_events;
     } else if (event.kind == FrameKind::kLight) {
       AddLight(event, &unused);

@@ -164,8 +164,8 @@ bool IsRotation(const PairProblem& problem, double median_flow, double median_er
 }
 
 // Fills in the result from the final inliers, given as elements of problem.points.
-void Finish(const PairProblem& problem, const std::vector<uint32_t>& selected,
-            PairVerification* result) {
+void FillResult(const PairProblem& problem, const std::vector<uint32_t>& selected,
+                PairVerification* result) {
   if (selected.size() < static_cast<size_t>(problem.options.min_inliers)) {
     result->verdict = PairVerdict::kFailed;
     return;
@@ -195,7 +195,7 @@ void FinishRotation(const PairProblem& problem, const Eigen::Quaterniond& rotati
     result->cam_b_from_cam_a.rotation = *refined;
     selected = SelectWithin(problem.points, threshold, residual_of(refined->toRotationMatrix()));
   }
-  Finish(problem, selected, result);
+  FillResult(problem, selected, result);
 }
 
 void FinishTranslation(const PairProblem& problem, const PointPairs& inliers,
@@ -211,7 +211,7 @@ void FinishTranslation(const PairProblem& problem, const PointPairs& inliers,
       problem.points, problem.Threshold(), [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
         return IsInFront(*pose, a, b) ? SquaredSampsonError(refined, a, b) : 1e6;
       });
-  Finish(problem, selected, result);
+  FillResult(problem, selected, result);
 }
 
 }  // namespace

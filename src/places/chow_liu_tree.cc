@@ -146,7 +146,7 @@ class SmoothedCounts {
   double mean_share_ = 0.0;
 };
 
-bool Fail(size_t word, const std::string& reason, std::string* error) {
+bool RefuseTree(size_t word, const std::string& reason, std::string* error) {
   if (error != nullptr) *error = "tree node " + std::to_string(word) + ": " + reason;
   return false;
 }
@@ -170,7 +170,7 @@ bool AllReachRoot(const ChowLiuTree& tree, std::string* error) {
       word = tree[word].parent;
     }
     if (word != kNoParent && states[word] == 1)
-      return Fail(word, "its ancestors form a ring", error);
+      return RefuseTree(word, "its ancestors form a ring", error);
     for (const uint32_t passed : path) states[passed] = 2;
   }
   return true;
@@ -196,14 +196,14 @@ bool IsValidTree(const ChowLiuTree& tree, std::string* error) {
     const ChowLiuNode& node = tree[word];
     if (node.parent == kNoParent) ++num_roots;
     if (node.parent != kNoParent && node.parent >= tree.size()) {
-      return Fail(
+      return RefuseTree(
           word,
           "parent " + std::to_string(node.parent) + " of " + std::to_string(tree.size()) + " words",
           error);
     }
-    if (!HasProbabilities(node)) return Fail(word, "probability outside (0, 1)", error);
+    if (!HasProbabilities(node)) return RefuseTree(word, "probability outside (0, 1)", error);
   }
-  if (num_roots != 1) return Fail(0, std::to_string(num_roots) + " roots in the tree", error);
+  if (num_roots != 1) return RefuseTree(0, std::to_string(num_roots) + " roots in the tree", error);
   return AllReachRoot(tree, error);
 }
 

@@ -36,20 +36,20 @@ bool PlaceRecognizer::Enter(const FrameEvent& event) {
   }
   std::string reason;
   if (!model_->vocabulary.Accepts(event.features->descriptors, &reason)) {
-    return Refuse(&counters_.foreign_type, event.id.ToString() + ": " + reason);
+    return CountRefused(&counters_.foreign_type, event.id.ToString() + ": " + reason);
   }
   const std::optional<uint32_t> newest = index_.NewestOf(event.id.drive);
   if (newest && *newest >= event.id.index) {
-    return Refuse(&counters_.out_of_order, event.id.ToString() + ": frame " +
-                                               std::to_string(*newest) +
-                                               " of the drive is known already");
+    return CountRefused(&counters_.out_of_order, event.id.ToString() + ": frame " +
+                                                     std::to_string(*newest) +
+                                                     " of the drive is known already");
   }
   index_.EnterDrive(event.id.drive, event.camera);
   recent_.try_emplace(event.id.drive, options_.recent_past);
   return true;
 }
 
-bool PlaceRecognizer::Refuse(uint64_t* counter, const std::string& reason) {
+bool PlaceRecognizer::CountRefused(uint64_t* counter, const std::string& reason) {
   ++*counter;
   last_refusal_ = reason;
   return false;
@@ -91,7 +91,7 @@ std::vector<PlaceMatch> PlaceRecognizer::QueryImage(std::shared_ptr<const FrameF
                                                     const Camera& camera) {
   std::string reason;
   if (!model_->vocabulary.Accepts(features->descriptors, &reason)) {
-    Refuse(&counters_.foreign_type, "image: " + reason);
+    CountRefused(&counters_.foreign_type, "image: " + reason);
     return {};
   }
   const PlaceProposal proposal = index_.AskAll(WordsOf(*features), options_.candidates);

@@ -14,7 +14,7 @@ constexpr size_t kMaxPairs = 1000;
 constexpr size_t kMaxLinks = 100000;
 constexpr size_t kMaxJpegBytes = 64u << 20;
 
-bool Refuse(const std::string& field, const std::string& expected, std::string* error) {
+bool RefuseField(const std::string& field, const std::string& expected, std::string* error) {
   *error = field + ": expected " + expected;
   return false;
 }
@@ -27,7 +27,7 @@ bool AllFinite(const std::vector<float>& values) {
 bool HasSize(const char* field, size_t size, size_t expected, bool may_be_empty,
              std::string* error) {
   if (size == expected || (may_be_empty && size == 0)) return true;
-  return Refuse(
+  return RefuseField(
       field,
       "one entry per keypoint (" + std::to_string(expected) + "), got " + std::to_string(size),
       error);
@@ -35,32 +35,32 @@ bool HasSize(const char* field, size_t size, size_t expected, bool may_be_empty,
 
 bool HasConsistentHeader(const FrameEventMsg& m, std::string* error) {
   if (m.format_version != FrameEventMsg::FORMAT_VERSION) {
-    return Refuse(
+    return RefuseField(
         "format_version",
         std::to_string(FrameEventMsg::FORMAT_VERSION) + ", got " + std::to_string(m.format_version),
         error);
   }
-  if (m.id.index == kNoIndex) return Refuse("index", "less than 4294967295", error);
+  if (m.id.index == kNoIndex) return RefuseField("index", "less than 4294967295", error);
   if (m.kind != FrameEventMsg::KEYFRAME && m.kind != FrameEventMsg::LIGHT) {
-    return Refuse("kind", "KEYFRAME or LIGHT", error);
+    return RefuseField("kind", "KEYFRAME or LIGHT", error);
   }
   if (m.header.stamp < m.id.drive.start) {
-    return Refuse("header.stamp", "not before the drive's start", error);
+    return RefuseField("header.stamp", "not before the drive's start", error);
   }
   const bool is_text = std::all_of(m.image_name.begin(), m.image_name.end(),
                                    [](unsigned char c) { return c > ' ' && c != 127; });
   if (m.image_name.size() > kMaxNameLength || !is_text) {
-    return Refuse("image_name", "at most 256 characters without blanks", error);
+    return RefuseField("image_name", "at most 256 characters without blanks", error);
   }
-  if (!std::isfinite(m.blur)) return Refuse("blur", "a finite number", error);
-  if (m.jpeg.size() > kMaxJpegBytes) return Refuse("jpeg", "at most 64 MiB", error);
+  if (!std::isfinite(m.blur)) return RefuseField("blur", "a finite number", error);
+  if (m.jpeg.size() > kMaxJpegBytes) return RefuseField("jpeg", "at most 64 MiB", error);
   return true;
 }
 
 bool HasConsistentSizes(const FrameEventMsg& m, std::string* error) {
   const size_t count = m.x_px.size();
   const bool is_light = m.kind == FrameEventMsg::LIGHT;
-  if (count > kMaxKeypoints) return Refuse("x_px", "at most 65535 keypoints", error);
+  if (count > kMaxKeypoints) return RefuseField("x_px", "at most 65535 keypoints", error);
   return HasSize("y_px", m.y_px.size(), count, false, error) &&
          HasSize("size_px", m.size_px.size(), count, false, error) &&
          HasSize("angle_rad", m.angle_rad.size(), count, is_light, error) &&
@@ -75,14 +75,14 @@ bool HasKeypointsInImage(const FrameEventMsg& m, std::string* error) {
       return v >= -0.5f && v <= static_cast<float>(size) - 0.5f;  // false for NaN
     });
   };
-  if (!is_within(m.x_px, m.camera.width)) return Refuse("x_px", "pixels in the image", error);
-  if (!is_within(m.y_px, m.camera.height)) return Refuse("y_px", "pixels in the image", error);
+  if (!is_within(m.x_px, m.camera.width)) return RefuseField("x_px", "pixels in the image", error);
+  if (!is_within(m.y_px, m.camera.height)) return RefuseField("y_px", "pixels in the image", error);
   const auto is_size = [](float v) { return v >= 0.0f && v < 1e5f; };
   if (!std::all_of(m.size_px.begin(), m.size_px.end(), is_size)) {
-    return Refuse("size_px", "0 to 1e5 px", error);
+    return RefuseField("size_px", "0 to 1e5 px", error);
   }
-  if (!AllFinite(m.angle_rad)) return Refuse("angle_rad", "finite numbers", error);
-  if (!AllFinite(m.response)) return Refuse("response", "finite numbers", error);
+  if (!AllFinite(m.angle_rad)) return RefuseField("angle_rad", "finite numbers", error);
+  if (!AllFinite(m.response)) return RefuseField("response", "finite numbers", error);
   return true;
 }
 
@@ -108,10 +108,10 @@ bool IsKnownDescriptor(const FrameEventMsg& m) {
 bool HasConsistentDescriptors(const FrameEventMsg& m, std::string* error) {
   if (m.kind == FrameEventMsg::LIGHT) {
     const bool is_bare = m.descriptor_type == FrameEventMsg::NONE && m.descriptors.empty();
-    return is_bare || Refuse("descriptors", "none in a light frame", error);
+    return is_bare || RefuseField("descriptors", "none in a light frame", error);
   }
   if (!IsKnownDescriptor(m)) {
-    return Refuse("descriptor_type", "a known type with its metric and length", error);
+    return RefuseField("descriptor_type", "a known type with its metric and length", error);
   }
   return HasSize("descriptors", m.descriptors.size(), m.x_px.size() * m.descriptor_length, false,
                  error);
@@ -119,36 +119,36 @@ bool HasConsistentDescriptors(const FrameEventMsg& m, std::string* error) {
 
 bool IsConsistentPair(const FrameEventMsg& m, const PairMatchesMsg& pair, std::string* error) {
   if (pair.other_index >= m.id.index) {
-    return Refuse("pairs.other_index", "an earlier frame", error);
+    return RefuseField("pairs.other_index", "an earlier frame", error);
   }
   if (pair.verdict > PairMatchesMsg::ROTATION) {
-    return Refuse("pairs.verdict", "FAILED, GENERAL, PLANAR or ROTATION", error);
+    return RefuseField("pairs.verdict", "FAILED, GENERAL, PLANAR or ROTATION", error);
   }
   if (pair.inlier_other.size() != pair.inlier_this.size()) {
-    return Refuse("pairs.inlier_other", "as many entries as inlier_this", error);
+    return RefuseField("pairs.inlier_other", "as many entries as inlier_this", error);
   }
   const auto is_index = [&](uint16_t i) { return i < m.x_px.size(); };
   if (!std::all_of(pair.inlier_this.begin(), pair.inlier_this.end(), is_index)) {
-    return Refuse("pairs.inlier_this", "indices of keypoints", error);
+    return RefuseField("pairs.inlier_this", "indices of keypoints", error);
   }
   if (!(pair.median_parallax_rad >= 0.0 && pair.median_parallax_rad < 3.2)) {
-    return Refuse("pairs.median_parallax_rad", "0 to pi", error);
+    return RefuseField("pairs.median_parallax_rad", "0 to pi", error);
   }
   return true;
 }
 
 bool HasConsistentPairs(const FrameEventMsg& m, std::string* error) {
-  if (m.pairs.size() > kMaxPairs) return Refuse("pairs", "at most 1000", error);
+  if (m.pairs.size() > kMaxPairs) return RefuseField("pairs", "at most 1000", error);
   if (m.link_a.size() != m.link_b.size() || m.link_a.size() > kMaxLinks) {
-    return Refuse("link_a", "as many entries as link_b, at most 100000", error);
+    return RefuseField("link_a", "as many entries as link_b, at most 100000", error);
   }
   if (m.kind == FrameEventMsg::LIGHT && (!m.pairs.empty() || !m.link_a.empty())) {
-    return Refuse("pairs", "neither pairs nor links in a light frame", error);
+    return RefuseField("pairs", "neither pairs nor links in a light frame", error);
   }
   const auto is_track = [](uint32_t id) { return id != 0; };
   if (!std::all_of(m.link_a.begin(), m.link_a.end(), is_track) ||
       !std::all_of(m.link_b.begin(), m.link_b.end(), is_track)) {
-    return Refuse("link_a", "tracks, counted from 1", error);
+    return RefuseField("link_a", "tracks, counted from 1", error);
   }
   return std::all_of(m.pairs.begin(), m.pairs.end(),
                      [&](const PairMatchesMsg& pair) { return IsConsistentPair(m, pair, error); });

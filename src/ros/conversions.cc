@@ -24,7 +24,7 @@ bool AllFinite(const Array& values) {
 }
 
 template <typename T>
-std::optional<T> Refuse(const std::string& reason, std::string* error) {
+std::optional<T> RefuseMessage(const std::string& reason, std::string* error) {
   *error = reason;
   return std::nullopt;
 }
@@ -77,10 +77,10 @@ geometry_msgs::Pose ToPose(const Rigid3& b_from_a) {
 }
 
 std::optional<Rigid3> FromTransform(const geometry_msgs::Transform& message, std::string* error) {
-  if (!IsFinite(message)) return Refuse<Rigid3>("a number is not finite", error);
+  if (!IsFinite(message)) return RefuseMessage<Rigid3>("a number is not finite", error);
   const Eigen::Quaterniond rotation = ToEigen(message.rotation);
   if (std::abs(rotation.norm() - 1.0) > 1e-3) {
-    return Refuse<Rigid3>("rotation: the quaternion's norm is not 1", error);
+    return RefuseMessage<Rigid3>("rotation: the quaternion's norm is not 1", error);
   }
   const auto& t = message.translation;
   return Rigid3{rotation.normalized(), Eigen::Vector3d(t.x, t.y, t.z)};
@@ -120,13 +120,13 @@ std::optional<Camera> FromMessage(const CameraMsg& message, std::string* error) 
 }
 
 std::optional<Camera> FromCameraInfo(const sensor_msgs::CameraInfo& message, std::string* error) {
-  if (message.K[0] == 0.0) return Refuse<Camera>("camera_info K: uncalibrated (zeros)", error);
+  if (message.K[0] == 0.0) return RefuseMessage<Camera>("camera_info K: uncalibrated (zeros)", error);
   if (message.distortion_model != "plumb_bob" && !message.D.empty()) {
-    return Refuse<Camera>("camera_info distortion_model: expected plumb_bob", error);
+    return RefuseMessage<Camera>("camera_info distortion_model: expected plumb_bob", error);
   }
-  if (message.D.size() > 5) return Refuse<Camera>("camera_info D: expected 5 numbers", error);
+  if (message.D.size() > 5) return RefuseMessage<Camera>("camera_info D: expected 5 numbers", error);
   if (message.binning_x > 1 || message.binning_y > 1 || message.roi.width > 0) {
-    return Refuse<Camera>("camera_info binning or roi: only whole images are understood", error);
+    return RefuseMessage<Camera>("camera_info binning or roi: only whole images are understood", error);
   }
   std::array<double, 5> d{};
   std::copy(message.D.begin(), message.D.end(), d.begin());
@@ -172,14 +172,14 @@ OdometrySampleMsg ToMessage(const OdometrySample& sample) {
 
 std::optional<OdometrySample> FromMessage(const OdometrySampleMsg& message, std::string* error) {
   if (!AllFinite(std::array<double, 3>{message.x_m, message.y_m, message.yaw_rad})) {
-    return Refuse<OdometrySample>("x_m, y_m or yaw_rad is not finite", error);
+    return RefuseMessage<OdometrySample>("x_m, y_m or yaw_rad is not finite", error);
   }
   OdometrySample sample{message.x_m, message.y_m, message.yaw_rad};
   OdometryCovariance c;
   std::copy(message.covariance.begin(), message.covariance.end(), c.begin());
   if (c == kUnknownCovariance) return sample;
   if (!AllFinite(c) || c[0] < 0.0 || c[4] < 0.0 || c[8] < 0.0) {
-    return Refuse<OdometrySample>("covariance: not finite or a negative variance", error);
+    return RefuseMessage<OdometrySample>("covariance: not finite or a negative variance", error);
   }
   sample.covariance = c;
   return sample;
@@ -194,7 +194,7 @@ std::optional<OdometrySample> FromOdometry(const nav_msgs::Odometry& message, st
   const auto& pose = message.pose.pose;
   const Eigen::Quaterniond rotation = ToEigen(pose.orientation);
   if (!(std::abs(rotation.norm() - 1.0) < 1e-3)) {
-    return Refuse<OdometrySample>("odom pose.orientation: the norm is not 1", error);
+    return RefuseMessage<OdometrySample>("odom pose.orientation: the norm is not 1", error);
   }
   OdometrySampleMsg planar;
   planar.x_m = pose.position.x;

@@ -85,15 +85,15 @@ void DriveTourNode::Start() {
   const char* const what = !HasOdometry()                    ? "odometry"
                            : twist_.getNumSubscribers() == 0 ? "driver that listens to cmd_vel"
                                                              : "first picture";
-  Finish(false, std::string("no ") + what);
+  EndTour(false, std::string("no ") + what);
 }
 
 void DriveTourNode::Drive() {
-  if (next_stop_ == stops_.size()) return Finish(true, "the tour is done");
+  if (next_stop_ == stops_.size()) return EndTour(true, "the tour is done");
   const bool is_late = SecondsInPhase() > options_.stop_timeout_s;
   if (!HasOdometry()) {
     Stand();
-    if (is_late) Finish(false, "odometry has ceased");
+    if (is_late) EndTour(false, "odometry has ceased");
     return;
   }
   const std::optional<BaseVelocity> velocity =
@@ -143,7 +143,7 @@ void DriveTourNode::EnterPhase(Phase phase) {
 
 void DriveTourNode::Stand() { twist_.publish(geometry_msgs::Twist()); }
 
-void DriveTourNode::Finish(bool has_finished, const std::string& message) {
+void DriveTourNode::EndTour(bool has_finished, const std::string& message) {
   Stand();
   timer_.stop();
   has_finished_ = has_finished;

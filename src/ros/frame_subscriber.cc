@@ -27,15 +27,15 @@ FrameSubscriber::FrameSubscriber(ros::NodeHandle node, const std::vector<std::st
 void FrameSubscriber::OnFrame(const std::string& robot, const FrameEventMsg::ConstPtr& message) {
   std::string error;
   std::optional<FrameEvent> event = FromMessage(*message, &error);
-  if (!event) return Refuse("frame of " + robot + " refused: " + error);
+  if (!event) return CountRefused("frame of " + robot + " refused: " + error);
   if (event->id.drive.robot != robot) {
-    return Refuse("frame on /" + robot + "/frames refused: it says that its robot is " +
-                  event->id.drive.robot);
+    return CountRefused("frame on /" + robot + "/frames refused: it says that its robot is " +
+                        event->id.drive.robot);
   }
   handler_(message, std::move(*event));
 }
 
-void FrameSubscriber::Refuse(const std::string& reason) {
+void FrameSubscriber::CountRefused(const std::string& reason) {
   ++num_refused_;
   ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, reason);
 }

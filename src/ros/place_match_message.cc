@@ -30,7 +30,7 @@ OverlapPairMsg ToMessage(const OverlapPair& pair) {
   return message;
 }
 
-bool Refuse(const std::string& field, const std::string& expected, std::string* error) {
+bool RefuseField(const std::string& field, const std::string& expected, std::string* error) {
   *error = field + ": expected " + expected;
   return false;
 }
@@ -42,18 +42,20 @@ bool IsConsistentPose(const OverlapPairMsg& message, const Rigid3& query_from_ot
   const bool is_direction = std::abs(length - 1.0) <= 1e-3;
   const bool is_rotation = length <= 1e-9 && message.verdict == OverlapPairMsg::ROTATION;
   return is_direction || is_rotation ||
-         Refuse("pairs.query_from_other", "a translation of length 1, or 0 with ROTATION", error);
+         RefuseField("pairs.query_from_other", "a translation of length 1, or 0 with ROTATION",
+                     error);
 }
 
 bool HasConsistentInliers(const OverlapPairMsg& message, std::string* error) {
   if (message.inlier_other.empty() || message.inlier_other.size() != message.inlier_query.size()) {
-    return Refuse("pairs.inlier_other", "as many entries as inlier_query, one at least", error);
+    return RefuseField("pairs.inlier_other", "as many entries as inlier_query, one at least",
+                       error);
   }
   const std::set<uint16_t> others(message.inlier_other.begin(), message.inlier_other.end());
   const std::set<uint16_t> queries(message.inlier_query.begin(), message.inlier_query.end());
   return (others.size() == message.inlier_other.size() &&
           queries.size() == message.inlier_query.size()) ||
-         Refuse("pairs.inlier_query", "each feature once", error);
+         RefuseField("pairs.inlier_query", "each feature once", error);
 }
 
 std::optional<OverlapPair> FromMessage(const OverlapPairMsg& message, std::string* error) {
@@ -66,7 +68,7 @@ std::optional<OverlapPair> FromMessage(const OverlapPairMsg& message, std::strin
     return std::nullopt;
   }
   if (message.verdict < OverlapPairMsg::GENERAL || message.verdict > OverlapPairMsg::ROTATION) {
-    Refuse("pairs.verdict", "GENERAL, PLANAR or ROTATION", error);
+    RefuseField("pairs.verdict", "GENERAL, PLANAR or ROTATION", error);
     return std::nullopt;
   }
   if (!IsConsistentPose(message, *query_from_other, error)) return std::nullopt;
@@ -80,11 +82,11 @@ std::optional<OverlapPair> FromMessage(const OverlapPairMsg& message, std::strin
 
 bool HasConsistentScores(const PlaceMatchMsg& message, std::string* error) {
   if (!(message.probability >= 0.0 && message.probability <= 1.0 + 1e-9)) {
-    return Refuse("probability", "0 to 1", error);
+    return RefuseField("probability", "0 to 1", error);
   }
-  if (!std::isfinite(message.score)) return Refuse("score", "a finite number", error);
+  if (!std::isfinite(message.score)) return RefuseField("score", "a finite number", error);
   if (message.pairs.empty() || message.pairs.size() > kMaxPairs) {
-    return Refuse("pairs", "1 to 1000", error);
+    return RefuseField("pairs", "1 to 1000", error);
   }
   return true;
 }
@@ -109,7 +111,7 @@ std::optional<PlaceMatch> FromMessage(const PlaceMatchMsg& message, std::string*
     std::optional<OverlapPair> pair = FromMessage(pair_message, error);
     if (!pair) return std::nullopt;
     if (pair->other == *query) {
-      Refuse("pairs.other", "another frame than the query", error);
+      RefuseField("pairs.other", "another frame than the query", error);
       return std::nullopt;
     }
     match.pairs.push_back(std::move(*pair));

@@ -91,7 +91,7 @@ struct CurlTransport::Exchange {
   std::optional<size_t> content_length;
   bool has_told_header = false;
 
-  bool Fail(HttpFault fault, const std::string& message) {
+  bool FailExchange(HttpFault fault, const std::string& message) {
     if (response.fault == HttpFault::kNone) {
       response.fault = fault;
       response.message = message;
@@ -109,7 +109,7 @@ struct CurlTransport::Exchange {
     NoteBytes(line.size());
     header_bytes += line.size();
     if (header_bytes > options.max_header_bytes || ++header_lines > options.max_header_lines) {
-      return Fail(HttpFault::kTooLarge, "header above its cap");
+      return FailExchange(HttpFault::kTooLarge, "header above its cap");
     }
     if (const auto type = HeaderValue(line, "Content-Type")) response.content_type = *type;
     const auto value = HeaderValue(line, "Content-Length");
@@ -119,11 +119,12 @@ struct CurlTransport::Exchange {
   bool TakeContentLength(std::string_view value) {
     const std::optional<size_t> length = ParseContentLength(value);
     if (!length || content_length) {
-      return Fail(HttpFault::kMalformed, "negative, overflowing or duplicate Content-Length");
+      return FailExchange(HttpFault::kMalformed,
+                          "negative, overflowing or duplicate Content-Length");
     }
     content_length = length;
     if (receiver == nullptr && *length > max_body_bytes) {
-      return Fail(HttpFault::kTooLarge, "announced body above its cap");
+      return FailExchange(HttpFault::kTooLarge, "announced body above its cap");
     }
     return true;
   }
@@ -133,7 +134,7 @@ struct CurlTransport::Exchange {
     response.status = status;
     if (receiver != nullptr) return HandOn(bytes);
     if (response.body.size() + bytes.size() > max_body_bytes) {
-      return Fail(HttpFault::kTooLarge, "body above its cap");
+      return FailExchange(HttpFault::kTooLarge, "body above its cap");
     }
     response.body.append(bytes);
     return true;
@@ -143,9 +144,10 @@ struct CurlTransport::Exchange {
     const bool is_first = !has_told_header;
     has_told_header = true;
     if (is_first && !receiver->on_header(response.status, response.content_type)) {
-      return Fail(HttpFault::kCancelled, "answer not wanted");
+      return FailExchange(HttpFault::kCancelled, "answer not wanted");
     }
-    return receiver->on_bytes(bytes) || Fail(HttpFault::kCancelled, "receiver wants no more");
+    return receiver->on_bytes(bytes) ||
+           FailExchange(HttpFault::kCancelled, "receiver wants no more");
   }
 
   // Checks the waits that libcurl does not know; false when one is over.
@@ -153,17 +155,17 @@ struct CurlTransport::Exchange {
     if (!last_byte) {
       return SecondsBetween(start, now) <=
                  options.connect_timeout_s + options.first_byte_timeout_s ||
-             Fail(HttpFault::kTimeout, "no first byte in time");
+             FailExchange(HttpFault::kTimeout, "no first byte in time");
     }
     if (SecondsBetween(*last_byte, now) > options.between_bytes_timeout_s) {
-      return Fail(HttpFault::kTimeout, "a pause between bytes is too long");
+      return FailExchange(HttpFault::kTimeout, "a pause between bytes is too long");
     }
     const double window_s = SecondsBetween(window_start, now);
     if (receiver == nullptr || window_s < options.min_speed_window_s) return true;
     const bool is_fast = static_cast<double>(window_bytes) >= options.min_bytes_per_s * window_s;
     window_start = now;
     window_bytes = 0;
-    return is_fast || Fail(HttpFault::kTooSlow, "fewer bytes a second than asked for");
+    return is_fast || FailExchange(HttpFault::kTooSlow, "fewer bytes a second than asked for");
   }
 
   static size_t OnHeader(char* data, size_t size, size_t count, void* self) {
@@ -263,7 +265,7 @@ void CurlTransport::DriveUntilDone(Exchange* exchange) {
     curl_multi_perform(handles_->multi, &num_running);
     if (num_running == 0) break;
     if (is_cancelled_) {
-      exchange->Fail(HttpFault::kCancelled, "cancelled");
+      exchange->FailExchange(HttpFault::kCancelled, "cancelled");
       return;
     }
     if (!exchange->IsInTime(Clock::now())) return;
@@ -273,7 +275,7 @@ void CurlTransport::DriveUntilDone(Exchange* exchange) {
   const CURLMsg* const message = curl_multi_info_read(handles_->multi, &num_left);
   if (message == nullptr) return;
   const CURLcode code = message->data.result;
-  if (code != CURLE_OK) exchange->Fail(FaultOf(code), curl_easy_strerror(code));
+  if (code != CURLE_OK) exchange->FailExchange(FaultOf(code), curl_easy_strerror(code));
 }
 
 }  // namespace rovio_sfm

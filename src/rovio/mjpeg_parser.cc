@@ -93,20 +93,22 @@ bool MjpegParser::SkipJunk() {
     return true;
   }
   Discard(searched_);
-  if (junk_bytes_ > options_.max_junk_bytes) Fail(MjpegFault::kTooMuchJunk);
+  if (junk_bytes_ > options_.max_junk_bytes) FailStream(MjpegFault::kTooMuchJunk);
   return false;
 }
 
 bool MjpegParser::ReadHeaderLine() {
   const size_t end = buffer_.find('\n');
   const size_t length = end == std::string::npos ? buffer_.size() : end + 1;
-  if (header_bytes_ + length > options_.max_header_bytes) return Fail(MjpegFault::kHeaderTooLong);
+  if (header_bytes_ + length > options_.max_header_bytes)
+    return FailStream(MjpegFault::kHeaderTooLong);
   if (end == std::string::npos) return false;
   header_bytes_ += length;
   const std::string line(Trim(std::string_view(buffer_).substr(0, end)));
   Discard(length);
   const bool is_first = header_lines_ == 0;
-  if (++header_lines_ > options_.max_header_lines + 2) return Fail(MjpegFault::kHeaderTooLong);
+  if (++header_lines_ > options_.max_header_lines + 2)
+    return FailStream(MjpegFault::kHeaderTooLong);
   if (is_first) {  // what stands behind the boundary: nothing, or it was another boundary
     if (!line.empty()) state_ = State::kJunk;
     return true;
@@ -123,8 +125,8 @@ bool MjpegParser::AcceptHeaderLine(std::string_view line) {
   const auto value = HeaderValue(line, "Content-Length");
   if (!value) return true;
   const std::optional<size_t> length = ParseContentLength(*value);
-  if (!length || content_length_) return Fail(MjpegFault::kBadContentLength);
-  if (*length > options_.max_part_bytes) return Fail(MjpegFault::kPartTooLong);
+  if (!length || content_length_) return FailStream(MjpegFault::kBadContentLength);
+  if (*length > options_.max_part_bytes) return FailStream(MjpegFault::kPartTooLong);
   content_length_ = length;
   return true;
 }
@@ -139,7 +141,7 @@ bool MjpegParser::ReadBodyOfKnownLength() {
 bool MjpegParser::ReadBody() {
   const size_t at = FindDelimiter();
   if (std::min(at, buffer_.size()) > options_.max_part_bytes + delimiter_.size()) {
-    return Fail(MjpegFault::kPartTooLong);
+    return FailStream(MjpegFault::kPartTooLong);
   }
   if (at != std::string::npos) {
     EmitBody(at);
@@ -189,7 +191,7 @@ size_t MjpegParser::FindDelimiter() {
   return at;
 }
 
-bool MjpegParser::Fail(MjpegFault fault) {
+bool MjpegParser::FailStream(MjpegFault fault) {
   fault_ = fault;
   buffer_.clear();
   return false;

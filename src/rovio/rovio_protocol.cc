@@ -64,17 +64,17 @@ class FieldReader {
 
   int Read(const char* name, int low, int high, int base = 10) {
     const auto it = fields_.find(name);
-    if (it == fields_.end()) return Fail(name, "is missing");
+    if (it == fields_.end()) return RefuseValue(name, "is missing");
     const std::optional<int> value = ParseInt(it->second, base);
-    if (!value) return Fail(name, "is no number");
-    if (*value < low || *value > high) return Fail(name, "is out of range");
+    if (!value) return RefuseValue(name, "is no number");
+    if (*value < low || *value > high) return RefuseValue(name, "is out of range");
     return *value;
   }
 
   const std::string& error() const { return error_; }
 
  private:
-  int Fail(const char* name, const char* what) {
+  int RefuseValue(const char* name, const char* what) {
     if (error_.empty()) error_ = std::string("field ") + name + " " + what;
     return 0;
   }

@@ -37,7 +37,7 @@ AlignReport CountMatches(const std::vector<CrossMatch>& matches) {
   return report;
 }
 
-AlignReport Refuse(AlignReport report, AlignRefusal refusal) {
+AlignReport RefuseAlignment(AlignReport report, AlignRefusal refusal) {
   report.alignment.reset();
   report.refusal = refusal;
   return report;
@@ -172,7 +172,7 @@ AlignReport AlignByPoints(const std::vector<CrossMatch>& matches, const AlignOpt
                           Rng& rng) {
   const AlignReport counts = CountMatches(matches);
   if (counts.num_common < options.min_common || counts.num_matches < options.min_inliers) {
-    return Refuse(counts, AlignRefusal::kTooFewMatches);
+    return RefuseAlignment(counts, AlignRefusal::kTooFewMatches);
   }
   const std::vector<CrossMatch> common = CommonOf(matches);
   RansacOptions ransac;
@@ -181,7 +181,7 @@ AlignReport AlignByPoints(const std::vector<CrossMatch>& matches, const AlignOpt
   ransac.confidence = options.confidence;
   ransac.threshold = options.threshold_sigmas;
   const auto found = Ransac(SimilarityEstimator(common, options), ransac, rng);
-  if (!found) return Refuse(counts, AlignRefusal::kNoModel);
+  if (!found) return RefuseAlignment(counts, AlignRefusal::kNoModel);
   return RefineAlignment(matches, found->model, options);
 }
 
@@ -190,7 +190,7 @@ AlignReport AlignFromPose(const std::vector<CrossMatch>& matches, const Rigid3& 
   const AlignReport counts = CountMatches(matches);
   const std::vector<double> ratios = LogDepthRatios(matches, cam_from_a, cam_from_b);
   if (static_cast<int>(ratios.size()) < options.min_common) {
-    return Refuse(counts, AlignRefusal::kTooFewMatches);
+    return RefuseAlignment(counts, AlignRefusal::kTooFewMatches);
   }
   const Sim3 b_from_a = SimilarityFromCamera(cam_from_a, cam_from_b, std::exp(Median(ratios)));
   AlignReport report = RefineAlignment(matches, b_from_a, options);
@@ -207,17 +207,17 @@ AlignReport RefineAlignment(const std::vector<CrossMatch>& matches, const Sim3& 
   alignment.b_from_a = initial_b_from_a;
   alignment.inliers = SelectInliers(matches, initial_b_from_a, options);
   for (int round = 0; round < kRounds; ++round) {
-    if (alignment.inliers.empty()) return Refuse(report, AlignRefusal::kTooFewInliers);
+    if (alignment.inliers.empty()) return RefuseAlignment(report, AlignRefusal::kTooFewInliers);
     const auto fitted = FitSimilarity(matches, alignment.inliers, alignment.b_from_a, fit);
-    if (!fitted) return Refuse(report, AlignRefusal::kNoModel);
+    if (!fitted) return RefuseAlignment(report, AlignRefusal::kNoModel);
     alignment.b_from_a = *fitted;
     alignment.inliers = SelectInliers(matches, *fitted, options);
   }
   alignment.num_common = CountCommon(matches, alignment.inliers);
   const AlignRefusal by_counts = CheckCounts(alignment, options, !scale_prior);
-  if (by_counts != AlignRefusal::kNone) return Refuse(report, by_counts);
+  if (by_counts != AlignRefusal::kNone) return RefuseAlignment(report, by_counts);
   const AlignRefusal by_uncertainty = CheckUncertainty(matches, options, fit, &alignment);
-  if (by_uncertainty != AlignRefusal::kNone) return Refuse(report, by_uncertainty);
+  if (by_uncertainty != AlignRefusal::kNone) return RefuseAlignment(report, by_uncertainty);
   report.alignment = std::move(alignment);
   return report;
 }

@@ -46,7 +46,7 @@ bool SwitchQuirks(const std::vector<std::string>& quirks, RovioHttpServer& serve
   return true;
 }
 
-int Fail(const std::string& error) {
+int ReportError(const std::string& error) {
   std::cerr << "rovio_sim: " << error << std::endl;
   return 1;
 }
@@ -68,8 +68,8 @@ int ServeRobot(const ServeOptions& options, RobotBackend& robot) {
   const EndSignals end_signals;
   RovioHttpServer server(options.server, robot, RealTimeClock());
   std::string error;
-  if (!server.Start(&error)) return Fail(error);
-  if (!SwitchQuirks(options.quirks, server, &error)) return Fail(error);
+  if (!server.Start(&error)) return ReportError(error);
+  if (!SwitchQuirks(options.quirks, server, &error)) return ReportError(error);
   server.StartCapturing();
   std::cout << "rovio_sim: http://" << options.server.socket.address << ":" << server.port() << "/"
             << std::endl;
@@ -81,7 +81,7 @@ int ServeRobot(const ServeOptions& options, RobotBackend& robot) {
 int ServeImages(const ServeOptions& options, const std::string& folder, bool repeats) {
   std::string error;
   const auto robot = ImageFolderBackend::Open(folder, repeats, &error);
-  if (robot == nullptr) return Fail(error);
+  if (robot == nullptr) return ReportError(error);
   return ServeRobot(options, *robot);
 }
 

@@ -63,7 +63,7 @@ class DriveMapper {
   Session& current() { return *current_; }
   void Settle();
 
-  std::optional<std::string> Refuse(const FrameEvent& event);
+  std::optional<std::string> RefusalOf(const FrameEvent& event);
   void Hold(const FrameEvent& event, MapperReport* report);
   bool Start(const BootstrapPair& pair);
   void EnterMap(uint32_t first_index);

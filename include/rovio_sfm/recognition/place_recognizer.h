@@ -66,7 +66,7 @@ class PlaceRecognizer {
 
  private:
   bool Enter(const FrameEvent& event);
-  bool Refuse(uint64_t* counter, const std::string& reason);
+  bool CountRefused(uint64_t* counter, const std::string& reason);
   std::vector<FrameId> WithoutRecent(const std::vector<FrameId>& frames, const FrameId& id,
                                      const std::set<FrameId>& queries) const;
   std::vector<uint32_t> WordsOf(const FrameFeatures& features) const;

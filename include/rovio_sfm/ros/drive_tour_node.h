@@ -39,7 +39,7 @@ class DriveTourNode {
   void GoOn();
   void EnterPhase(Phase phase);
   void Stand();
-  void Finish(bool has_finished, const std::string& message);
+  void EndTour(bool has_finished, const std::string& message);
   bool HasOdometry() const;
   double SecondsInPhase() const;
 

@@ -27,7 +27,7 @@ class FrameSubscriber {
 
  private:
   void OnFrame(const std::string& robot, const FrameEventMsg::ConstPtr& message);
-  void Refuse(const std::string& reason);
+  void CountRefused(const std::string& reason);
 
   Handler handler_;
   std::atomic<uint64_t> num_refused_{0};

@@ -65,7 +65,7 @@ class MjpegParser {
   void StartPart(size_t delimiter_at);
   void Discard(size_t count);
   size_t FindDelimiter();
-  bool Fail(MjpegFault fault);
+  bool FailStream(MjpegFault fault);
 
   const std::string delimiter_;  // "--" and the boundary
   const MjpegParserOptions options_;

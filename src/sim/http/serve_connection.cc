@@ -36,7 +36,7 @@ class Dialogue {
  private:
   void Answer(RequestStatus status, const HttpRequest& request) {
     if (status == RequestStatus::kComplete && request.path == "/sim") {
-      Finish(AnswerSimRequest(request, context_));
+      FinishReply(AnswerSimRequest(request, context_));
     } else if (!WaitWhileSilent(context_) || Strikes(Quirk::kResetEvery)) {
       connection_.ResetOnClose();
       goes_on_ = false;
@@ -65,7 +65,7 @@ class Dialogue {
         const auto turn = TakeTurn();
         routed = AnswerRequest(request, caller, context_);
       }
-      Finish(routed);
+      FinishReply(routed);
     }
   }
 
@@ -113,7 +113,7 @@ class Dialogue {
     return context_.quirks.With([quirk](Quirks& quirks) { return quirks.Strikes(quirk); });
   }
 
-  void Finish(const RoutedReply& routed) {
+  void FinishReply(const RoutedReply& routed) {
     if (routed.away) keep_alive_.enabled = false;
     Send(routed.response);
     if (routed.away) go_away_(*routed.away);

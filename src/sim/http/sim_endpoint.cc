@@ -35,7 +35,7 @@ std::string ListQuirks(ServerContext& context) {
   });
 }
 
-RoutedReply Refuse(const std::string& reason) {
+RoutedReply RefuseRequest(const std::string& reason) {
   RoutedReply routed;
   routed.response = ErrorPage(400);
   routed.response.content_type = "text/plain";
@@ -46,11 +46,11 @@ RoutedReply Refuse(const std::string& reason) {
 RoutedReply SwitchQuirk(const Parameters& parameters, ServerContext& context) {
   const std::string name = parameters.Get("quirk");
   const auto value = ParseDouble(parameters.Has("value") ? parameters.Get("value") : "1");
-  if (!value) return Refuse("value is not a number");
+  if (!value) return RefuseRequest("value is not a number");
   std::string error;
   RoutedReply routed;
   routed.away = ApplyQuirk(name, *value, context, &error);
-  if (!error.empty()) return Refuse(error);
+  if (!error.empty()) return RefuseRequest(error);
   routed.response.body = name + " = " + FormatNumber(*value) + "\n";
   return routed;
 }
@@ -81,7 +81,7 @@ RoutedReply AnswerSimRequest(const HttpRequest& request, ServerContext& context)
   } else if (parameters.Has("quirks")) {
     routed.response.body = ListQuirks(context);
   } else {
-    return Refuse("use quirk=NAME&value=V, quirks or truth");
+    return RefuseRequest("use quirk=NAME&value=V, quirks or truth");
   }
   return routed;
 }

@@ -24,7 +24,7 @@ WayPoint ReadWayPoint(YamlMap map) {
     const std::vector<double> center_m = map.Numbers("arc_center_m", 2);
     point.arc_center_m = Eigen::Vector2d(center_m[0], center_m[1]);
   }
-  map.Finish();
+  map.RefuseUnknownKeys();
   return point;
 }
 
@@ -97,7 +97,7 @@ TourSpec ParseTour(const std::string& yaml, const std::string& source) {
     tour.shares_with = map.Texts("shares_with");
     for (const YamlMap& item : map.List("way_points"))
       tour.way_points.push_back(ReadWayPoint(item));
-    map.Finish();
+    map.RefuseUnknownKeys();
     std::string error;
     if (!tour.IsValid(&error)) throw std::runtime_error(source + ": " + error);
     return tour;

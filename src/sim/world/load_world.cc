@@ -34,7 +34,7 @@ TextureSpec ReadTexture(YamlMap map, uint64_t world_seed, size_t index) {
   spec.marks = map.Texts("marks");
   spec.density = map.Number("density", spec.density);
   spec.period_px = map.Number("period_px", spec.period_px);
-  map.Finish();
+  map.RefuseUnknownKeys();
   return spec;
 }
 
@@ -44,7 +44,7 @@ LightSpec ReadLight(YamlMap map) {
   const std::vector<double> size_m = map.Numbers("size_m", 2);
   spec.size_m = {size_m[0], size_m[1]};
   spec.radiance = map.Number("radiance");
-  map.Finish();
+  map.RefuseUnknownKeys();
   return spec;
 }
 
@@ -77,7 +77,7 @@ PartSpec ReadPart(YamlMap map) {
   part.mirror = map.Number("mirror", part.mirror);
   part.gloss = map.Number("gloss", part.gloss);
   part.roughness = map.Number("roughness", part.roughness);
-  map.Finish();
+  map.RefuseUnknownKeys();
   return part;
 }
 
@@ -87,9 +87,9 @@ ObjectSpec ReadObject(YamlMap map) {
   for (const YamlMap& part : map.List("parts")) object.parts.push_back(ReadPart(part));
   for (YamlMap& placement : map.List("placements")) {
     object.world_from_object.push_back(placement.Placement());
-    placement.Finish();
+    placement.RefuseUnknownKeys();
   }
-  map.Finish();
+  map.RefuseUnknownKeys();
   return object;
 }
 
@@ -109,7 +109,7 @@ WorldSpec ParseWorld(const std::string& yaml, const std::string& source) {
     }
     for (const YamlMap& light : map.List("lights")) world.lights.push_back(ReadLight(light));
     for (const YamlMap& object : map.List("objects")) world.objects.push_back(ReadObject(object));
-    map.Finish();
+    map.RefuseUnknownKeys();
     std::string error;
     if (!world.IsValid(&error)) throw std::runtime_error(source + ": " + error);
     return world;

@@ -141,7 +141,7 @@ Rigid3 YamlMap::Placement() {
   return placement;
 }
 
-void YamlMap::Finish() const {
+void YamlMap::RefuseUnknownKeys() const {
   for (const auto& [key, node] : entries_) {
     if (used_.count(key) == 0) throw std::runtime_error(where_ + ": unknown key " + key);
   }

@@ -25,7 +25,7 @@ TEST(YamlMap, ReadsNumbersTextsAndLists) {
   EXPECT_EQ(map.Text("b"), "word");
   EXPECT_EQ(map.Numbers("c", 2)[1], 2.0);
   EXPECT_EQ(map.List("d").size(), 1u);
-  EXPECT_NO_THROW(map.Finish());
+  EXPECT_NO_THROW(map.RefuseUnknownKeys());
 }
 
 TEST(YamlMap, NamesTheMissingKey) {
@@ -33,7 +33,7 @@ TEST(YamlMap, NamesTheMissingKey) {
 }
 
 TEST(YamlMap, NamesTheUnknownKey) {
-  EXPECT_EQ(MessageOf([] { Map("{a: 1}").Finish(); }), "here: unknown key a");
+  EXPECT_EQ(MessageOf([] { Map("{a: 1}").RefuseUnknownKeys(); }), "here: unknown key a");
 }
 
 TEST(YamlMap, RefusesWhatIsNoFiniteNumber) {

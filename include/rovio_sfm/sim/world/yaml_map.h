@@ -13,7 +13,7 @@
 namespace rovio_sfm::sim {
 
 // A YAML mapping that is read key by key; every fault is a std::runtime_error that names where it
-// lies. Finish() refuses keys that nobody asked for.
+// lies. RefuseUnknownKeys() refuses keys that nobody asked for.
 class YamlMap {
  public:
   YamlMap(const YAML::Node& node, std::string where);
@@ -37,7 +37,7 @@ class YamlMap {
   // at_m [x, y, z], yaw_deg, pitch_deg, roll_deg (turned in the order z, y, x); missing means 0.
   Rigid3 Placement();
 
-  void Finish() const;
+  void RefuseUnknownKeys() const;
 
  private:
   YAML::Node Get(const std::string& key);
