@@ -26,7 +26,7 @@ rovio_library(tracks   LINKS rovio_scene TEST_LINKS rovio_synthetic)
 rovio_library(sfm      LINKS rovio_scene ceres ${OPENCV} TEST_LINKS rovio_synthetic)
 rovio_library(places   LINKS rovio_scene ZLIB::ZLIB TEST_LINKS rovio_synthetic)
 rovio_library(sessions LINKS rovio_scene ceres TEST_LINKS rovio_synthetic)
-rovio_library(io       LINKS rovio_scene ${OPENCV} PkgConfig::YAMLCPP TEST_LINKS rovio_synthetic)
+rovio_library(io       LINKS rovio_scene ${OPENCV} PkgConfig::YAMLCPP PkgConfig::SQLITE3 TEST_LINKS rovio_synthetic)
 
 # From one drive's images to maps: each room knows the steps, and the rooms above it.
 set(STEPS rovio_features rovio_matching rovio_tracks rovio_sfm rovio_places rovio_sessions rovio_io)

@@ -1,5 +1,6 @@
 #include "rovio_sfm/app/mapper.h"
 
+#include "rovio_sfm/mapping/make_keyframe.h"
 #include "rovio_sfm/merging/share_scales.h"
 #include "rovio_sfm/report/measure_odometry_delay.h"
 #include "rovio_sfm/util/check.h"
@@ -15,6 +16,35 @@ Mapper::Mapper(const MapOptions& options, FrameStore* store, Executor* executor,
                timing,  times, UpdateOdometryDelay} {
   std::string error;
   ROVIO_CHECK(IsValid(options, &error), error);
+}
+
+void Mapper::Restore(MapStore* store) {
+  MapRecord record =
+      store->Read({[this](const FrameEvent& event) { return MakeKeyframe(event, {}, options_); },
+                   [](const FrameEvent& event) { return MakeLightFrame(event); }});
+  keeper_.Restore(std::move(record.sessions), std::move(record.merges));
+  for (const DriveRecord& drive : record.drives) {
+    const auto read_event = [&](uint32_t index) {
+      auto event = store->frames().ReadEvent({drive.id, index}, EventParts::kAll);
+      if (event) return *event;
+      throw StoreError(store->file() + ": frame " + std::to_string(index) + " of drive " +
+                       drive.id.ToString() + " is missing");
+    };
+    drives_[drive.id] = std::make_unique<DriveMapper>(context_, drive, read_event);
+  }
+}
+
+bool Mapper::SaveTo(MapStore* store) {
+  return store->Commit([&] {
+    for (const auto& [id, drive] : drives_) store->frames().PutState(id, drive->State());
+    keeper_.PutInto(store);
+  });
+}
+
+std::map<DriveId, uint32_t> Mapper::NextIndices() const {
+  std::map<DriveId, uint32_t> indices;
+  for (const auto& [id, drive] : drives_) indices[id] = drive->State().next_index.value_or(0);
+  return indices;
 }
 
 MapperReport Mapper::Add(const FrameEvent& event) {

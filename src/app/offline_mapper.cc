@@ -82,7 +82,7 @@ void OfflineMapper::MapSeeded() {
   std::vector<std::vector<PlaceMatch>> matches(drives_.size());
   for (size_t i = 0; i < drives_.size() && recognizer_; ++i) {
     for (const FrameEvent& event : drives_[i]) {
-      if (event.kind == FrameKind::kKeyframe) store_.Put(event.id, event.features);
+      store_.Put(event);
       for (PlaceMatch& match : recognizer_->Add(event)) matches[i].push_back(std::move(match));
     }
   }

@@ -30,6 +30,45 @@ DriveMapper::DriveMapper(const MapperContext& context, DriveId drive, Camera cam
   OpenSession();
 }
 
+DriveMapper::DriveMapper(const MapperContext& context, const DriveRecord& record,
+                         const std::function<FrameEvent(uint32_t)>& read_event)
+    : context_(context),
+      drive_(record.id),
+      camera_(record.camera),
+      global_(context.options, context.executor, context.timing),
+      num_waited_(record.state.num_waited),
+      num_weak_in_row_(record.state.num_weak_in_row),
+      pending_links_(record.state.pending_links),
+      next_index_(record.state.next_index),
+      counters_(record.state.counters) {
+  current_ = context_.sessions->FindNewest(drive_);
+  if (current_ == nullptr) OpenSession();
+  for (const uint32_t index : record.state.held) held_.push_back(read_event(index));
+  for (const auto& weak : record.state.weak) {
+    weak_.push_back({read_event(weak.index), weak.num_tries});
+  }
+  for (const uint32_t index : record.state.unposed) {
+    unposed_.emplace(index, MakeLightFrame(read_event(index)));
+  }
+  if (current().state() == SessionState::kMapping && !current().keyframes().empty()) {
+    last_pose_ = current().keyframes().rbegin()->second.cam_from_session;
+  }
+  settled_revision_ = current().revision();
+}
+
+DriveState DriveMapper::State() const {
+  DriveState state;
+  state.next_index = next_index_;
+  for (const FrameEvent& event : held_) state.held.push_back(event.id.index);
+  for (const WeakFrame& weak : weak_) state.weak.push_back({weak.event.id.index, weak.num_tries});
+  for (const auto& [index, frame] : unposed_) state.unposed.push_back(index);
+  state.pending_links = pending_links_;
+  state.num_waited = num_waited_;
+  state.num_weak_in_row = num_weak_in_row_;
+  state.counters = counters_;
+  return state;
+}
+
 MapperReport DriveMapper::Add(const FrameEvent& event) {
   Settle();
   MapperReport report;
@@ -40,9 +79,10 @@ MapperReport DriveMapper::Add(const FrameEvent& event) {
     report.outcome = MapperOutcome::kRefused;
     report.reason = *reason;
   } else if (event.kind == FrameKind::kLight) {
+    context_.store->Put(event);
     AddLight(event, &report);
   } else {
-    context_.store->Put(event.id, event.features);
+    context_.store->Put(event);
     pending_links_.insert(pending_links_.end(), event.links.begin(), event.links.end());
     if (current().state() == SessionState::kBootstrapping) {
       Hold(event, &report);
@@ -130,9 +170,10 @@ void DriveMapper::HoldAll(const std::vector<FrameEvent>& events) {
     if (RefusalOf(event)) {
       ++counters_.refused_events;
     } else if (event.kind == FrameKind::kLight) {
+      context_.store->Put(event);
       AddLight(event, &unused);
     } else {
-      context_.store->Put(event.id, event.features);
+      context_.store->Put(event);
       pending_links_.insert(pending_links_.end(), event.links.begin(), event.links.end());
       held_.push_back(event);
     }

@@ -161,6 +161,12 @@ MapAdjustmentReport AdjustMapFinally(const std::vector<PlacedSession>& sessions,
   return report;
 }
 
+SharedLandmarks FindSharedLandmarks(const std::vector<PlacedSession>& sessions,
+                                    const std::vector<FeatureLink>& links,
+                                    const MapperOptions& options) {
+  return MapBundle(sessions, links, MaxErrorSigmas(options)).FindShared();
+}
+
 MapAdjustment::MapAdjustment(const std::vector<PlacedSession>& sessions,
                              const std::vector<FeatureLink>& links, const MapperOptions& options,
                              Executor* executor, ResultTiming timing)

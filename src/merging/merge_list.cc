@@ -7,11 +7,27 @@
 
 namespace rovio_sfm {
 
+void MergeList::RememberJudged(const PlaceMatch& match) {
+  for (const OverlapPair& pair : match.pairs) {
+    judged_.insert(std::minmax(match.query, pair.other));
+  }
+}
+
+void MergeList::Restore(MergeRecord record) {
+  edits_.clear();
+  for (MergeEdit& edit : record.edits) {
+    RememberJudged(edit.match);
+    edits_.push_back(std::move(edit));
+  }
+  num_accepted_ = record.num_accepted;
+  revisions_ = std::move(record.revisions);
+  separated_ = std::move(record.separated);
+  Place();
+}
+
 MergeEdit& MergeList::Keep(MergeEdit edit) {
   edit.report.id = edits_.empty() ? 1 : edits_.back().report.id + 1;
-  for (const OverlapPair& pair : edit.match.pairs) {
-    judged_.insert(std::minmax(edit.match.query, pair.other));
-  }
+  RememberJudged(edit.match);
   edits_.push_back(std::move(edit));
   return edits_.back();
 }

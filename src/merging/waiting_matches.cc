@@ -36,6 +36,12 @@ bool WaitingMatches::HoldsBoth(const FrameId& a, const FrameId& b) const {
   return false;
 }
 
+std::vector<PlaceMatch> WaitingMatches::All() const {
+  std::vector<PlaceMatch> matches;
+  for (const WaitingMatch& entry : entries_) matches.push_back(entry.match);
+  return matches;
+}
+
 std::vector<PlaceMatch> WaitingMatches::OfDrive(const DriveId& drive) const {
   std::vector<PlaceMatch> matches;
   for (const WaitingMatch& entry : entries_) {

@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "rovio_sfm/places/binary_fields.h"
+#include "rovio_sfm/util/binary_fields.h"
 #include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {

@@ -120,13 +120,16 @@ std::optional<Camera> FromMessage(const CameraMsg& message, std::string* error) 
 }
 
 std::optional<Camera> FromCameraInfo(const sensor_msgs::CameraInfo& message, std::string* error) {
-  if (message.K[0] == 0.0) return RefuseMessage<Camera>("camera_info K: uncalibrated (zeros)", error);
+  if (message.K[0] == 0.0)
+    return RefuseMessage<Camera>("camera_info K: uncalibrated (zeros)", error);
   if (message.distortion_model != "plumb_bob" && !message.D.empty()) {
     return RefuseMessage<Camera>("camera_info distortion_model: expected plumb_bob", error);
   }
-  if (message.D.size() > 5) return RefuseMessage<Camera>("camera_info D: expected 5 numbers", error);
+  if (message.D.size() > 5)
+    return RefuseMessage<Camera>("camera_info D: expected 5 numbers", error);
   if (message.binning_x > 1 || message.binning_y > 1 || message.roi.width > 0) {
-    return RefuseMessage<Camera>("camera_info binning or roi: only whole images are understood", error);
+    return RefuseMessage<Camera>("camera_info binning or roi: only whole images are understood",
+                                 error);
   }
   std::array<double, 5> d{};
   std::copy(message.D.begin(), message.D.end(), d.begin());

@@ -4,6 +4,10 @@
 
 namespace rovio_sfm {
 
+void MemoryFrameStore::Put(const FrameEvent& event) {
+  if (event.kind == FrameKind::kKeyframe) Put(event.id, event.features);
+}
+
 void MemoryFrameStore::Put(const FrameId& id, std::shared_ptr<const FrameFeatures> features) {
   frames_[id] = std::move(features);
 }

@@ -100,6 +100,8 @@ void Session::AddKeyframe(uint32_t index, Keyframe keyframe) {
     }
   }
   keyframes_.emplace(index, std::move(keyframe));
+  unsaved_.poses.insert(index);
+  unsaved_.tracks.insert(index);
   MarkFrame(index);
 }
 
@@ -115,12 +117,14 @@ void Session::RemoveKeyframe(uint32_t index) {
   }
   RememberKeyframe(index);
   keyframes_.erase(index);
+  unsaved_.poses.insert(index);
   MarkFrame(index);
   for (auto it = light_frames_.begin(); it != light_frames_.end();) {
     const bool orphan = it->second.reference == index;
     if (orphan) {
       RememberLightPose(it->first);
       RememberLightFrame(it->first);
+      unsaved_.poses.insert(it->first);
       MarkFrame(it->first);
     }
     it = orphan ? light_frames_.erase(it) : std::next(it);
@@ -133,6 +137,7 @@ void Session::AddLightFrame(uint32_t index, LightFrame frame) {
   RememberLightFrame(index);
   frame.stamps.born = Epoch();
   light_frames_[index] = std::move(frame);
+  unsaved_.poses.insert(index);
   MarkFrame(index);
 }
 
@@ -141,6 +146,7 @@ void Session::SetPose(uint32_t index, const Rigid3& cam_from_session) {
   RememberPose(index);
   Keyframe& frame = MutableKeyframe(index);
   frame.cam_from_session = cam_from_session;
+  unsaved_.poses.insert(index);
   MarkFrame(index);
   moved_.insert(index);
   for (size_t i = 0; i < frame.tracks.size(); ++i) {
@@ -152,6 +158,7 @@ void Session::SetWeak(uint32_t index, bool weak) {
   ++revision_;
   RememberPose(index);
   MutableKeyframe(index).weak = weak;
+  unsaved_.poses.insert(index);
   MarkFrame(index);
 }
 
@@ -164,6 +171,7 @@ void Session::SetLightPose(uint32_t index, uint32_t reference, const Rigid3& cam
   frame.reference = reference;
   frame.cam_from_reference = cam_from_reference;
   frame.num_inliers = num_inliers;
+  unsaved_.poses.insert(index);
   MarkFrame(index);
 }
 
@@ -192,6 +200,7 @@ void Session::RemoveLandmark(TrackId track) {
   RememberLandmark(track);
   for (const Observation& observation : it->second.observations) Observe(observation, false);
   landmarks_.erase(it);
+  NoteLandmark(track);
   MarkLandmark(track);
 }
 
@@ -199,6 +208,7 @@ void Session::SetPosition(TrackId track, const Eigen::Vector3d& position) {
   ++revision_;
   RememberPosition(track);
   landmarks_.at(track).position = position;
+  NoteLandmark(track);
   MarkLandmark(track);
 }
 
@@ -208,6 +218,7 @@ void Session::AddObservation(TrackId track, const Observation& observation) {
   RememberLandmark(track);
   Insert(&landmarks_.at(track).observations, observation);
   Observe(observation, true);
+  NoteLandmark(track);
   MarkLandmark(track);
 }
 
@@ -217,6 +228,7 @@ void Session::RemoveObservation(TrackId track, Observation observation) {
   Landmark& landmark = landmarks_.at(track);
   ROVIO_CHECK(Erase(&landmark.observations, observation));
   Observe(observation, false);
+  NoteLandmark(track);
   MarkLandmark(track);
   if (landmark.observations.size() < 2) RemoveLandmark(track);
 }
@@ -233,6 +245,7 @@ bool Session::MoveToTrack(const Observation& observation, TrackId track) {
   }
   RememberMember(observation);
   frame.tracks[observation.feature] = track;
+  unsaved_.tracks.insert(observation.frame);
   Insert(&tracks_.at(track).members, observation);
   return true;
 }
@@ -253,10 +266,12 @@ void Session::MergeMembers(TrackId from, TrackId to) {
       Insert(&target.members, member);
       RememberMember(member);
       MutableKeyframe(member.frame).tracks[member.feature] = to;
+      unsaved_.tracks.insert(member.frame);
     }
     tracks_.erase(it);
   }
   alias_[from] = to;
+  unsaved_.aliases.push_back(from);
   if (!epochs_.empty()) epochs_.back().aliases.push_back(from);
 }
 

@@ -1,4 +1,5 @@
 #include <iterator>
+#include <utility>
 
 #include "rovio_sfm/scene/session.h"
 
@@ -48,7 +49,27 @@ void Session::RestoreTo(uint32_t mark) {
   frame_blocks_.clear();
   landmark_blocks_.clear();
   moved_.clear();
+  unsaved_ = {};
+  unsaved_.everything = true;
 }
+
+Session::Session(SessionRecord record)
+    : id_(record.id),
+      drive_(std::move(record.drive)),
+      camera_(record.camera),
+      state_(record.state),
+      scale_(std::move(record.scale)),
+      odometry_delay_(record.odometry_delay),
+      keyframes_(std::move(record.keyframes)),
+      light_frames_(std::move(record.light_frames)),
+      landmarks_(std::move(record.landmarks)),
+      alias_(std::move(record.aliases)),
+      epochs_(std::move(record.epochs)),
+      num_marks_(record.num_marks) {
+  RebuildTracks();
+}
+
+UnsavedParts Session::TakeUnsaved() { return std::exchange(unsaved_, {}); }
 
 size_t Session::NumJournalBytes() const {
   size_t count = 0;

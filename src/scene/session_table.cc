@@ -29,6 +29,11 @@ Session* SessionTable::Lend(SessionId id) {
   return it == sessions_.end() ? nullptr : it->second.get();
 }
 
+Session* SessionTable::FindNewest(const DriveId& drive) {
+  const auto sessions = by_drive_.find(drive);
+  return sessions == by_drive_.end() ? nullptr : Lend(sessions->second.back()->id());
+}
+
 const Session* SessionTable::FindHolder(const FrameId& id) const {
   const auto drive = by_drive_.find(id.drive);
   if (drive == by_drive_.end()) return nullptr;

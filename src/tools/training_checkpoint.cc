@@ -4,7 +4,7 @@
 
 #include "rovio_sfm/io/text_file.h"
 #include "rovio_sfm/io/write_file.h"
-#include "rovio_sfm/places/binary_fields.h"
+#include "rovio_sfm/util/binary_fields.h"
 
 namespace rovio_sfm {
 namespace {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "rovio_sfm/io/map_store.h"
 #include "rovio_sfm/mapping/drive_mapper.h"
 #include "rovio_sfm/merging/map_keeper.h"
 #include "rovio_sfm/merging/map_options.h"
@@ -25,6 +26,11 @@ class Mapper {
   // mapper. Options must be valid.
   Mapper(const MapOptions& options, FrameStore* store, Executor* executor,
          StageTimes* times = nullptr, ResultTiming timing = ResultTiming::kFixed);
+
+  // Goes on with the maps that the store holds; before any event came. Throws StoreError.
+  void Restore(MapStore* store);
+  // Commits what changed to the store, by which it was made too. False: it says why.
+  bool SaveTo(MapStore* store);
 
   // Takes the next event of its drive. An event that does not fit (index not increasing, camera of
   // the drive changed) is refused, with the reason; the maps stay as they were.
@@ -58,6 +64,8 @@ class Mapper {
 
   std::shared_ptr<const MapSnapshot> Snapshot() const;
   MapperCounters counters() const;
+  // The index after the newest event of each drive.
+  std::map<DriveId, uint32_t> NextIndices() const;
 
  private:
   void TrySeed(const DriveId& drive);

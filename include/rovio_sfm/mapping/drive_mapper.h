@@ -12,6 +12,7 @@
 #include "rovio_sfm/mapping/mapper_options.h"
 #include "rovio_sfm/mapping/mapper_report.h"
 #include "rovio_sfm/mapping/register_frame.h"
+#include "rovio_sfm/scene/drive_state.h"
 #include "rovio_sfm/scene/events.h"
 #include "rovio_sfm/scene/frame_store.h"
 #include "rovio_sfm/scene/place_match.h"
@@ -37,6 +38,9 @@ struct MapperContext {
 class DriveMapper {
  public:
   DriveMapper(const MapperContext& context, DriveId drive, Camera camera);
+  // Goes on with a drive whose newest session is in the table; read_event gives its frames again.
+  DriveMapper(const MapperContext& context, const DriveRecord& record,
+              const std::function<FrameEvent(uint32_t)>& read_event);
 
   MapperReport Add(const FrameEvent& event);
   // Closes the current session with its final adjustment; the next frame opens another.
@@ -51,6 +55,7 @@ class DriveMapper {
   bool HoldsFrames(int min_count) const;
 
   SessionId current_session() const { return current_->id(); }
+  DriveState State() const;  // of what lies beside its sessions
   const MapperCounters& counters() const { return counters_; }
   const Camera& camera() const { return camera_; }
 

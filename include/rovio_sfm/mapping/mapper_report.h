@@ -29,14 +29,4 @@ struct MapperReport {
   uint32_t num_pruned = 0;   // observations
 };
 
-struct MapperCounters {
-  uint64_t keyframes = 0;  // resected into a map, those that started it included
-  uint64_t light_frames = 0;
-  uint64_t weak_frames = 0;
-  uint64_t missing_events = 0;  // gaps in a drive's index
-  uint64_t refused_events = 0;
-  uint64_t lost_sessions = 0;
-  uint64_t global_adjustments = 0;
-};
-
 }  // namespace rovio_sfm

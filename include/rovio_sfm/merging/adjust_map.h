@@ -35,6 +35,11 @@ struct MapAdjustmentReport {
 MapAdjustmentReport AdjustMapFinally(const std::vector<PlacedSession>& sessions,
                                      const MapperOptions& options, std::vector<FeatureLink>* links);
 
+// The landmarks that these links make one point, of a map that is adjusted already.
+SharedLandmarks FindSharedLandmarks(const std::vector<PlacedSession>& sessions,
+                                    const std::vector<FeatureLink>& links,
+                                    const MapperOptions& options);
+
 // One round of the same beside the flow: a copy is solved in the executor. Frames and landmarks
 // born since move with the correction of their reference frame.
 class MapAdjustment {

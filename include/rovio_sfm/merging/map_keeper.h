@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "rovio_sfm/io/map_store.h"
 #include "rovio_sfm/merging/adjust_map.h"
 #include "rovio_sfm/merging/map_options.h"
 #include "rovio_sfm/merging/merge_list.h"
@@ -59,6 +60,12 @@ class MapKeeper {
   void GiveUpWaiting() {
     waiting_.Clear([this](const WaitingMatch& waiting) { KeepWaitedInVain(waiting); });
   }
+
+  // Puts what changed into the store's next commit. Throws StoreError.
+  void PutInto(MapStore* store);
+  // Takes over what a store held, in place of nothing; adjustments that were running begin again.
+  // Throws StoreError where a session contradicts itself.
+  void Restore(std::vector<SessionRecord> sessions, MergeRecord merges);
 
   MapPlace PlaceOf(SessionId id) const { return list_.PlaceOf(id); }
   // The landmarks of each map that are one point, as it was last adjusted.

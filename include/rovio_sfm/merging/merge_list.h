@@ -10,6 +10,7 @@
 
 #include "rovio_sfm/merging/map_bundle.h"
 #include "rovio_sfm/merging/try_overlap.h"
+#include "rovio_sfm/scene/map_record.h"
 #include "rovio_sfm/scene/merge_edit.h"
 #include "rovio_sfm/scene/session_table.h"
 
@@ -31,6 +32,11 @@ class MergeList {
   MergeEdit& Keep(const PlaceMatch& match, OverlapTrial trial);
   std::deque<MergeEdit>& edits() { return edits_; }  // references stay; call Place after
   const std::deque<MergeEdit>& edits() const { return edits_; }
+  // As it was kept; places every session.
+  void Restore(MergeRecord record);
+  uint32_t num_accepted() const { return num_accepted_; }
+  const std::map<MapId, uint32_t>& revisions() const { return revisions_; }
+  const std::set<std::pair<SessionId, SessionId>>& separated() const { return separated_; }
   // Accepts an edit, after all others accepted so far.
   void Accept(AcceptedBy by, MergeEdit* edit);
 
@@ -60,6 +66,8 @@ class MergeList {
   int CountAccepted(const DriveId& a, const DriveId& b) const;
 
  private:
+  void RememberJudged(const PlaceMatch& match);
+
   std::deque<MergeEdit> edits_;                   // by report.id
   uint32_t num_accepted_ = 0;                     // so far, undone ones too
   std::set<std::pair<FrameId, FrameId>> judged_;  // smaller id first

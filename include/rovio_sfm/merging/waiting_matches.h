@@ -32,7 +32,8 @@ class WaitingMatches {
 
   // True where one of them holds these two frames, whichever is its query.
   bool HoldsBoth(const FrameId& a, const FrameId& b) const;
-  // Those whose query is a frame of the drive.
+  // All of them, and those whose query is a frame of the drive.
+  std::vector<PlaceMatch> All() const;
   std::vector<PlaceMatch> OfDrive(const DriveId& drive) const;
   size_t size() const { return entries_.size(); }
 

@@ -18,11 +18,11 @@
 #include <vector>
 
 #include "rovio_sfm/app/place_recognition_node_options.h"
-#include "rovio_sfm/recognition/frame_cache.h"
 #include "rovio_sfm/recognition/place_recognizer.h"
 #include "rovio_sfm/ros/fetch_frames.h"
 #include "rovio_sfm/ros/frame_subscriber.h"
 #include "rovio_sfm/ros/job_worker.h"
+#include "rovio_sfm/scene/frame_cache.h"
 #include "rovio_sfm/util/mutex.h"
 
 namespace rovio_sfm {

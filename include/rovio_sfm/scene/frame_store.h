@@ -2,17 +2,18 @@
 
 #include <memory>
 
-#include "rovio_sfm/scene/frame.h"
+#include "rovio_sfm/scene/events.h"
 
 namespace rovio_sfm {
 
-// Features and descriptors by frame; the only way by which a mapper reaches them, so that they may
-// live in memory or in a file.
+// What frames brought, by frame; the only way by which a mapper reaches features and descriptors,
+// so that they may live in memory or in a file.
 class FrameStore {
  public:
   virtual ~FrameStore() = default;
-  virtual void Put(const FrameId& id, std::shared_ptr<const FrameFeatures> features) = 0;
-  // Null if the frame is unknown.
+  // Takes a frame that its mapper has accepted. A frame that is put again is replaced.
+  virtual void Put(const FrameEvent& event) = 0;
+  // Of a keyframe; null if it is unknown.
   virtual std::shared_ptr<const FrameFeatures> Get(const FrameId& id) const = 0;
 };
 

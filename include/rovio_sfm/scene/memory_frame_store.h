@@ -7,10 +7,11 @@
 
 namespace rovio_sfm {
 
-// Keeps everything in memory. Thread-compatible.
+// Keeps the features of all keyframes in memory. Thread-compatible.
 class MemoryFrameStore final : public FrameStore {
  public:
-  void Put(const FrameId& id, std::shared_ptr<const FrameFeatures> features) override;
+  void Put(const FrameEvent& event) override;
+  void Put(const FrameId& id, std::shared_ptr<const FrameFeatures> features);
   std::shared_ptr<const FrameFeatures> Get(const FrameId& id) const override;
 
  private:

@@ -15,7 +15,9 @@
 #include "rovio_sfm/scene/map_snapshot.h"
 #include "rovio_sfm/scene/session_journal.h"
 #include "rovio_sfm/scene/session_parts.h"
+#include "rovio_sfm/scene/session_record.h"
 #include "rovio_sfm/scene/snapshot_blocks.h"
+#include "rovio_sfm/scene/unsaved_parts.h"
 
 namespace rovio_sfm {
 
@@ -25,6 +27,8 @@ namespace rovio_sfm {
 class Session {
  public:
   Session(SessionId id, DriveId drive, Camera camera);
+  // As it was kept; CheckInvariants says whether the record was sound.
+  explicit Session(SessionRecord record);
 
   SessionId id() const { return id_; }
   const DriveId& drive() const { return drive_; }
@@ -90,12 +94,19 @@ class Session {
   void RestoreTo(uint32_t mark);
   // What the journal keeps, bytes.
   size_t NumJournalBytes() const;
+  const std::vector<SessionEpoch>& epochs() const { return epochs_; }
+  uint32_t num_marks() const { return num_marks_; }
+  const std::unordered_map<TrackId, TrackId>& aliases() const { return alias_; }
+
+  // What changed since the last call.
+  UnsavedParts TakeUnsaved();
 
  private:
   Keyframe& MutableKeyframe(uint32_t index);
   void Observe(const Observation& observation, bool observed);
   void MarkLandmark(TrackId track) const;
   void MarkFrame(uint32_t index) const;
+  void NoteLandmark(TrackId track) { unsaved_.landmark_blocks.insert(track / kLandmarksPerBlock); }
   void MergeMembers(TrackId from, TrackId to);
   uint32_t Epoch() const { return epochs_.empty() ? 0 : epochs_.back().number; }
   void RememberPose(uint32_t index);
@@ -123,6 +134,7 @@ class Session {
 
   std::vector<SessionEpoch> epochs_;  // the journal; the last one is written
   uint32_t num_marks_ = 0;
+  UnsavedParts unsaved_;
 
   // Blocks of the last snapshot by number (id / block size); a missing one changed since.
   mutable FrameBlocks frame_blocks_;

@@ -19,6 +19,8 @@ class SessionTable {
 
   const Session* Find(SessionId id) const;  // null: unknown
   Session* Lend(SessionId id);              // to be changed; null: unknown
+  // The session of the drive that was opened last, to be changed; null: none.
+  Session* FindNewest(const DriveId& drive);
   // The session in which the frame is a keyframe with a pose of its own; null if there is none.
   const Session* FindHolder(const FrameId& id) const;
 

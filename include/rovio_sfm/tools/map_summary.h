@@ -11,6 +11,7 @@
 #include "rovio_sfm/mapping/mapper_report.h"
 #include "rovio_sfm/report/matching_funnel.h"
 #include "rovio_sfm/report/measure_odometry_delay.h"
+#include "rovio_sfm/scene/drive_state.h"
 #include "rovio_sfm/scene/map_snapshot.h"
 #include "rovio_sfm/scene/merge_report.h"
 #include "rovio_sfm/util/stage_times.h"

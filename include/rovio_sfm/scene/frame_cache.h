@@ -22,7 +22,8 @@ class FrameCache final : public FrameStore {
   // At least the newest frame is kept, whatever its size.
   FrameCache(size_t max_bytes, Fetch fetch) : max_bytes_(max_bytes), fetch_(std::move(fetch)) {}
 
-  void Put(const FrameId& id, std::shared_ptr<const FrameFeatures> features) override;
+  void Put(const FrameEvent& event) override;
+  void Put(const FrameId& id, std::shared_ptr<const FrameFeatures> features);
   std::shared_ptr<const FrameFeatures> Get(const FrameId& id) const override;
 
   size_t NumBytes() const { return num_bytes_; }

@@ -1,4 +1,4 @@
-#include "rovio_sfm/recognition/frame_cache.h"
+#include "rovio_sfm/scene/frame_cache.h"
 
 namespace rovio_sfm {
 namespace {
@@ -9,6 +9,10 @@ size_t BytesOf(const FrameFeatures& features) {
 }
 
 }  // namespace
+
+void FrameCache::Put(const FrameEvent& event) {
+  if (event.kind == FrameKind::kKeyframe) Keep(event.id, event.features);
+}
 
 void FrameCache::Put(const FrameId& id, std::shared_ptr<const FrameFeatures> features) {
   Keep(id, std::move(features));

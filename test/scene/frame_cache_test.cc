@@ -1,4 +1,4 @@
-#include "rovio_sfm/recognition/frame_cache.h"
+#include "rovio_sfm/scene/frame_cache.h"
 
 #include <gtest/gtest.h>
 

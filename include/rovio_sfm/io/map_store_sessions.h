@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "rovio_sfm/io/map_store_database.h"
+#include "rovio_sfm/io/map_store_frames.h"
+#include "rovio_sfm/io/map_store_journal.h"
+#include "rovio_sfm/scene/session.h"
+
+namespace rovio_sfm {
+
+// The tables of sessions: poses, tracks, landmarks and the journal by which merges are undone.
+// Throws StoreError; thread-compatible.
+class StoredSessions {
+ public:
+  StoredSessions(StoreDatabase* database, StoredFrames* frames)
+      : database_(database), frames_(frames) {}
+
+  // Writes what changed since the last call; frames must have been put.
+  void Put(Session* session);
+
+  // Throws where the tables contradict themselves, with the session and what is wrong.
+  std::vector<SessionRecord> Read(const FrameMaker& make);
+
+ private:
+  struct Kept {
+    std::optional<uint64_t> revision;
+    std::map<uint32_t, EpochSizes> epochs;  // by mark
+  };
+
+  void Forget(SessionId id);
+  void PutRow(const Session& session, int64_t drive);
+  void PutPose(const Session& session, int64_t drive, uint32_t index);
+  void PutTracks(const Session& session, int64_t drive, const UnsavedParts& unsaved);
+  void PutEpochs(const Session& session, Kept* kept);
+  SessionRecord ReadSession(SessionId id, const FrameMaker& make) const;
+  void ReadKeyframes(const FrameMaker& make, SessionRecord* record) const;
+  void ReadLightFrames(const FrameMaker& make, SessionRecord* record) const;
+  void ReadPoints(SessionRecord* record) const;
+  void ReadEpochs(const FrameMaker& make, SessionRecord* record) const;
+  FrameEvent BareEvent(const DriveId& drive, uint32_t index) const;
+
+  StoreDatabase* database_;
+  StoredFrames* frames_;
+  std::map<SessionId, Kept> kept_;
+};
+
+}  // namespace rovio_sfm
