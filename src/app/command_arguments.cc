@@ -34,7 +34,14 @@ void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
   app->add_flag(
       "--seeded", arguments->mapper.seeded,
       "the thesis's Algorithms 1 to 3: places of all drives first, then each from the last");
-  app->add_flag("--overwrite", arguments->overwrite, "replace the results of an earlier run");
+  CLI::Option* const overwrite =
+      app->add_flag("--overwrite", arguments->overwrite, "replace the results of an earlier run");
+  CLI::Option* const resume = app->add_flag(
+      "--resume", arguments->resume,
+      "go on with the maps that the folder holds; a drive that is there goes on after its end");
+  resume->excludes(overwrite)->excludes("--seeded");
+  app->add_flag("!--no-store", arguments->store, "keep no map.db: nothing to resume from")
+      ->excludes(resume);
 }
 
 void CompleteMappingArguments(MappingArguments* arguments) {
@@ -49,10 +56,36 @@ void CompleteMappingArguments(MappingArguments* arguments) {
 
 void PrepareResultFolder(const MappingArguments& arguments, const std::string& file) {
   const std::filesystem::path path = std::filesystem::path(arguments.out) / file;
-  if (!arguments.overwrite && std::filesystem::exists(path)) {
-    throw std::runtime_error(path.string() + " exists; give --overwrite to replace it");
+  if (!arguments.overwrite && !arguments.resume && std::filesystem::exists(path)) {
+    throw std::runtime_error(path.string() +
+                             " exists; give --resume to go on with it, --overwrite to replace it");
   }
   std::filesystem::create_directories(arguments.out);
+}
+
+std::unique_ptr<StoreFolder> OpenResultStore(const MappingArguments& arguments) {
+  if (!arguments.store) return nullptr;
+  ExistingStore existing = ExistingStore::kRefuse;
+  if (arguments.overwrite) existing = ExistingStore::kReplace;
+  if (arguments.resume) existing = ExistingStore::kResume;
+  MapStoreOptions options;
+  options.keep_images = arguments.mapper.frontend.keep_images;
+  return std::make_unique<StoreFolder>(arguments.out, existing, options);
+}
+
+void TellStore(const StoreFolder* store, std::ostream& out) {
+  if (store == nullptr) return;
+  const std::string& error = store->store().error();
+  const std::string file = std::filesystem::absolute(store->store().file()).string();
+  if (error.empty()) {
+    out << "wrote " << file << "\n";
+  } else {
+    out << "warning: " << file << " was not kept to the end: " << error << "\n";
+  }
+}
+
+Overwrite MayReplaceResults(const MappingArguments& arguments) {
+  return arguments.overwrite || arguments.resume ? Overwrite::kAllow : Overwrite::kRefuse;
 }
 
 }  // namespace rovio_sfm

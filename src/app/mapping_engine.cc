@@ -8,9 +8,38 @@
 
 namespace rovio_sfm {
 
-MappingEngine::MappingEngine(const MapOptions& options)
-    : options_(options), state_(std::make_unique<State>(options)) {
+MappingEngine::MappingEngine(const MapOptions& options, std::unique_ptr<StoreFolder> store)
+    : options_(options),
+      store_(std::move(store)),
+      state_(std::make_unique<State>(options, store_ ? &store_->store() : nullptr)) {
+  if (store_) Resume();
   Show();
+}
+
+// A robot's newest drive may go on; those before it have ended.
+void MappingEngine::Resume() {
+  state_->mapper.Restore(&store_->store());
+  for (const DriveRecord& record : store_->store().frames().ReadDrives()) {
+    const DriveId& drive = record.id;
+    const uint32_t next_index = record.state.next_index.value_or(0);
+    const auto older = current_drives_.find(drive.robot);
+    if (older != current_drives_.end()) ended_drives_.insert(older->second);
+    current_drives_[drive.robot] = drive;
+    next_indices_[drive] = next_index;
+    if (next_index > 0) saved_up_to_.push_back({drive, next_index - 1});
+  }
+}
+
+void MappingEngine::Save() {
+  if (!store_ || is_saved_) return;
+  if (state_->mapper.SaveTo(&store_->store())) {
+    saved_up_to_.clear();
+    for (const auto& [drive, next_index] : state_->mapper.NextIndices()) {
+      if (next_index > 0) saved_up_to_.push_back({drive, next_index - 1});
+    }
+  }
+  Show();
+  is_saved_ = true;  // showing changed nothing
 }
 
 MapperReport MappingEngine::Add(const FrameEvent& event) {
@@ -113,17 +142,24 @@ std::optional<ClosedSession> MappingEngine::FinishSession(const std::string& rob
 void MappingEngine::Finish() {
   state_->mapper.Finish();
   Show();
+  Save();
 }
 
-void MappingEngine::Reset() {
+std::filesystem::path MappingEngine::Reset() {
+  Save();
   state_.reset();
-  state_ = std::make_unique<State>(options_);
+  std::filesystem::path aside;
+  if (store_) aside = store_->StartAnew();
+  state_ = std::make_unique<State>(options_, store_ ? &store_->store() : nullptr);
   anchors_.clear();
+  saved_up_to_.clear();
   ++epoch_;
   Show();
+  return aside;
 }
 
 void MappingEngine::Show() {
+  is_saved_ = false;
   MapPicture picture = Picture();
   ++picture.number;
   picture.epoch = epoch_;
@@ -138,6 +174,8 @@ void MappingEngine::Show() {
   picture.num_place_matches = num_place_matches_;
   picture.num_matches_waiting = state_->mapper.num_matches_waiting();
   picture.num_matches_repeated = state_->mapper.num_matches_repeated();
+  picture.saved_up_to = saved_up_to_;
+  if (store_) picture.store_error = store_->store().error();
   MutexLock lock(mutex_);
   picture_ = std::move(picture);
 }

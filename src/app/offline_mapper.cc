@@ -8,6 +8,7 @@ namespace {
 
 constexpr size_t kMappingQueue = 4;       // events; the frontend waits where mapping is behind
 constexpr size_t kPreparedPerThread = 4;  // images ahead of the frontend
+constexpr size_t kFramesPerCommit = 10;
 
 void Add(const FrontendCounters& more, FrontendCounters* sum) {
   sum->images += more.images;
@@ -24,16 +25,40 @@ void Add(const FrontendCounters& more, FrontendCounters* sum) {
 }  // namespace
 
 OfflineMapper::OfflineMapper(const OfflineMapperOptions& options,
-                             std::shared_ptr<const PlaceModel> place_model, StageTimes* times)
+                             std::shared_ptr<const PlaceModel> place_model, StageTimes* times,
+                             MapStore* store)
     : options_(options),
       times_(times),
+      kept_(store),
+      store_(store == nullptr ? static_cast<FrameStore*>(&memory_) : store),
       adjust_executor_(options.num_threads > 1 ? 1 : 0),
       prepare_executor_(options.num_threads - 1),
-      mapper_(options.mapper, &store_, &adjust_executor_, times) {
-  if (place_model) recognizer_.emplace(options.places, std::move(place_model), &store_, times);
+      mapper_(options.mapper, store_, &adjust_executor_, times) {
+  if (place_model) recognizer_.emplace(options.places, std::move(place_model), store_, times);
+  if (kept_ != nullptr) Resume();
   if (options.num_threads == 1) return;
   mapping_ = std::make_unique<Worker<FrameEvent>>(kMappingQueue, WhenFull::kBlock,
                                                   [this](const FrameEvent& event) { Map(event); });
+}
+
+// Places of the frames that are there are known again; what they match was judged before.
+void OfflineMapper::Resume() {
+  mapper_.Restore(kept_);
+  kept_before_ = mapper_.NextIndices();
+  for (const auto& [drive, next_index] : kept_before_) {
+    for (const uint32_t index : kept_->frames().ReadIndices(drive)) {
+      const auto event = kept_->frames().ReadEvent({drive, index}, EventParts::kAll);
+      if (event && recognizer_) recognizer_->Add(*event);
+    }
+  }
+}
+
+// The nonces of a run count its drives: by robot and start a drive of an earlier run is known.
+DriveId OfflineMapper::KeptName(const DriveId& drive) const {
+  for (const auto& [kept, next_index] : kept_before_) {
+    if (kept.robot == drive.robot && kept.start_ns == drive.start_ns) return kept;
+  }
+  return drive;
 }
 
 void OfflineMapper::StartDrive(const std::string& robot) {
@@ -57,6 +82,7 @@ void OfflineMapper::TakeOldest() {
   prepared_.pop_front();
   std::optional<FrameEvent> event = frontend_->Add(image);
   if (!event) return;
+  event->id.drive = KeptName(event->id.drive);
   AddToFunnel(*event, &funnel_);
   if (mapping_) {
     mapping_->Push(std::move(*event));
@@ -72,9 +98,15 @@ void OfflineMapper::Map(const FrameEvent& event) {
     drives_.back().push_back(event);
     return;
   }
+  const auto kept = kept_before_.find(event.id.drive);
+  if (kept != kept_before_.end() && event.id.index < kept->second) return;
   mapper_.Add(event);
-  if (!recognizer_) return;
-  for (const PlaceMatch& match : recognizer_->Add(event)) mapper_.Add(match);
+  if (recognizer_) {
+    for (const PlaceMatch& match : recognizer_->Add(event)) mapper_.Add(match);
+  }
+  if (kept_ == nullptr || kept_->num_uncommitted() < kFramesPerCommit) return;
+  const auto scope = MeasureStage(times_, "store");
+  mapper_.SaveTo(kept_);
 }
 
 // A match's query is the later frame: by query, the thesis's table T is inverted.
@@ -82,7 +114,7 @@ void OfflineMapper::MapSeeded() {
   std::vector<std::vector<PlaceMatch>> matches(drives_.size());
   for (size_t i = 0; i < drives_.size() && recognizer_; ++i) {
     for (const FrameEvent& event : drives_[i]) {
-      store_.Put(event);
+      store_->Put(event);
       for (PlaceMatch& match : recognizer_->Add(event)) matches[i].push_back(std::move(match));
     }
   }
@@ -109,6 +141,7 @@ std::shared_ptr<const MapSnapshot> OfflineMapper::Finish() {
   if (mapping_) mapping_->Finish();
   if (options_.seeded) MapSeeded();
   mapper_.Finish();
+  if (kept_ != nullptr) mapper_.SaveTo(kept_);
   return mapper_.Snapshot();
 }
 

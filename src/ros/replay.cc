@@ -57,7 +57,9 @@ void CompleteOptions(Arguments* arguments) {
 std::shared_ptr<const MapSnapshot> MapBags(const Arguments& arguments, std::ostream& out,
                                            std::ostream& progress) {
   std::vector<std::filesystem::path> paths(arguments.bags.begin(), arguments.bags.end());
-  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), nullptr);
+  const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
+  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), nullptr,
+                       store ? &store->store() : nullptr);
   for (const BagDrive& drive : FindDrives(paths)) {
     BagImages images(drive, arguments.sensors);
     ProgressBar bar(images.Count(), &progress);
@@ -74,6 +76,7 @@ std::shared_ptr<const MapSnapshot> MapBags(const Arguments& arguments, std::ostr
   }
   const std::shared_ptr<const MapSnapshot> snapshot = mapper.Finish();
   out << mapper.mapper_counters().global_adjustments << " global adjustments\n";
+  TellStore(store.get(), out);
   return snapshot;
 }
 
@@ -90,7 +93,7 @@ int ReplayCommand(int argc, const char* const* argv, std::ostream& out, std::ost
   const std::shared_ptr<const MapSnapshot> snapshot = MapBags(arguments, out, progress);
   const std::optional<LevelMap> map = FindLargestMap(*snapshot);
   if (!map) throw std::runtime_error("no session could start: nothing to write");
-  const Overwrite overwrite = arguments.overwrite ? Overwrite::kAllow : Overwrite::kRefuse;
+  const Overwrite overwrite = MayReplaceResults(arguments);
   out << snapshot->sessions.size() << " sessions; " << PosedImages(*map).size()
       << " images posed in the largest map, in " << (map->scale ? "metres" : "map units") << "\n";
   for (const auto& path : WriteMapFiles(*map, arguments.out, overwrite)) {

@@ -60,11 +60,14 @@ YawByStamp YawsOf(const DatasetFolder& dataset) {
   return yaws;
 }
 
-MapRun MapFolders(const std::vector<DatasetFolder>& datasets, const Arguments& arguments) {
+MapRun MapFolders(const std::vector<DatasetFolder>& datasets, const Arguments& arguments,
+                  std::ostream& out) {
   const int64_t start_ns = SteadyNs();
   MapRun run;
   StageTimes times(SteadyNs);
-  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), &times);
+  const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
+  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), &times,
+                       store ? &store->store() : nullptr);
   for (size_t i = 0; i < datasets.size(); ++i) {
     const std::string robot = "folder_" + std::to_string(i);
     mapper.StartDrive(robot);
@@ -76,6 +79,7 @@ MapRun MapFolders(const std::vector<DatasetFolder>& datasets, const Arguments& a
     if (!datasets[i].ground_truth.empty()) run.ground_truth[robot] = datasets[i].ground_truth;
   }
   run.snapshot = mapper.Finish();
+  TellStore(store.get(), out);
   run.frontend = mapper.frontend_counters();
   run.funnel = mapper.matching_funnel();
   run.mapper = mapper.mapper_counters();
@@ -87,7 +91,7 @@ MapRun MapFolders(const std::vector<DatasetFolder>& datasets, const Arguments& a
 }
 
 void WriteResults(const MapRun& run, const Arguments& arguments, std::ostream& out) {
-  const Overwrite overwrite = arguments.overwrite ? Overwrite::kAllow : Overwrite::kRefuse;
+  const Overwrite overwrite = MayReplaceResults(arguments);
   nlohmann::ordered_json summary;
   summary["folders"] = arguments.folders;
   summary["options"] = {{"stride", arguments.stride},
@@ -117,7 +121,7 @@ int MapImagesCommand(int argc, const char* const* argv, std::ostream& out) {
   cv::setNumThreads(1);  // the threads are ours
   CompleteMappingArguments(&arguments);
   PrepareResultFolder(arguments, "summary.json");
-  const MapRun run = MapFolders(ReadFolders(arguments), arguments);
+  const MapRun run = MapFolders(ReadFolders(arguments), arguments, out);
   WriteResults(run, arguments, out);
   return 0;
 }

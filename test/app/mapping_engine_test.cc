@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "merging/two_drives.h"
+#include "util/temporary_folder.h"
 
 namespace rovio_sfm {
 namespace {
@@ -118,6 +119,45 @@ TEST(MappingEngine, DriveGoesOnAfterReset) {
   engine.Reset();
   EXPECT_NE(engine.Picture().epoch, epoch);
   EXPECT_NE(engine.Add(Event("rovio1", 1, 1)).outcome, MapperOutcome::kRefused);
+}
+
+std::unique_ptr<StoreFolder> StoreIn(const TemporaryFolder& folder) {
+  return std::make_unique<StoreFolder>(folder.Path(), ExistingStore::kResume);
+}
+
+TEST(MappingEngine, GoesOnWithWhatWasSaved) {
+  TemporaryFolder folder;
+  const TwoDrives two = MakeTwoDrives();
+  const DriveId drive = two.a[0].id.drive;
+  {
+    MappingEngine engine({}, StoreIn(folder));
+    engine.Add(Event(drive.robot, 99, 0));
+    for (uint32_t i = 0; i < 8; ++i) engine.Add(two.a[i]);
+    EXPECT_TRUE(engine.Picture().saved_up_to.empty());
+    engine.Save();
+    ASSERT_EQ(engine.Picture().saved_up_to.size(), 2u);
+    engine.Add(two.a[8]);  // not saved
+  }
+  MappingEngine engine({}, StoreIn(folder));
+  EXPECT_EQ(engine.NextIndex({drive, 12}), 8u);
+  EXPECT_EQ(engine.Add(Event(drive.robot, 99, 1)).outcome, MapperOutcome::kRefused) << "it ended";
+  for (uint32_t i = 8; i < two.a.size(); ++i) engine.Add(two.a[i]);
+  engine.Finish();
+  const MapPicture picture = engine.Picture();
+  EXPECT_EQ(picture.store_error, "");
+  ASSERT_EQ(picture.saved_up_to.size(), 2u);
+  EXPECT_EQ(picture.counters.keyframes, two.a.size());
+}
+
+TEST(MappingEngine, ResetPutsTheStoreAside) {
+  TemporaryFolder folder;
+  const TwoDrives two = MakeTwoDrives();
+  MappingEngine engine({}, StoreIn(folder));
+  for (uint32_t i = 0; i < 8; ++i) engine.Add(two.a[i]);
+  const std::filesystem::path aside = engine.Reset();
+  MapStore old(aside, StoreAccess::kRead);
+  EXPECT_EQ(old.frames().ReadIndices(two.a[0].id.drive).size(), 8u);
+  EXPECT_TRUE(engine.Picture().saved_up_to.empty());
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "rovio_sfm/app/offline_mapper.h"
+#include "rovio_sfm/app/store_folder.h"
+#include "rovio_sfm/io/write_file.h"
 
 namespace CLI {
 class App;
@@ -24,6 +27,8 @@ struct MappingArguments {
   std::optional<int> features;  // most of an image; none: as the options say
   std::string places;           // place model; none: no merging; empty: the shipped one
   bool overwrite = false;
+  bool resume = false;
+  bool store = true;
   OfflineMapperOptions mapper;
 };
 
@@ -37,5 +42,13 @@ void CompleteMappingArguments(MappingArguments* arguments);
 // Makes the folder for the results. Throws std::runtime_error if it holds this file and overwrite
 // is false: cheap now, vexing after an hour's work.
 void PrepareResultFolder(const MappingArguments& arguments, const std::string& file);
+
+// The store in the folder for the results; null where none is wanted. Throws std::runtime_error as
+// StoreFolder does.
+std::unique_ptr<StoreFolder> OpenResultStore(const MappingArguments& arguments);
+// That of a command that ends, for people; a warning where it could not be written to the end.
+void TellStore(const StoreFolder* store, std::ostream& out);
+// Whether files that a folder for results holds already may be replaced.
+Overwrite MayReplaceResults(const MappingArguments& arguments);
 
 }  // namespace rovio_sfm

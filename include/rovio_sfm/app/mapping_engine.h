@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rovio_sfm/app/mapper.h"
+#include "rovio_sfm/app/store_folder.h"
 #include "rovio_sfm/scene/memory_frame_store.h"
 #include "rovio_sfm/util/executor.h"
 #include "rovio_sfm/util/mutex.h"
@@ -39,6 +40,8 @@ struct MapPicture {
   std::shared_ptr<const std::vector<MergeReport>> merges =
       std::make_shared<const std::vector<MergeReport>>();
   uint64_t num_place_matches = 0, num_matches_waiting = 0, num_matches_repeated = 0;
+  std::vector<FrameId> saved_up_to;  // the newest frame of each drive that is on disk
+  std::string store_error;           // why nothing is saved any more; empty: all is well
 };
 
 // The mapper of all robots with what it needs, and the rules of who may send: a robot's new drive
@@ -46,7 +49,8 @@ struct MapPicture {
 // thread calls everything but Picture(), which is thread-safe.
 class MappingEngine {
  public:
-  explicit MappingEngine(const MapOptions& options);
+  // store: where the maps are kept, and taken from; null: in memory alone. Throws StoreError.
+  explicit MappingEngine(const MapOptions& options, std::unique_ptr<StoreFolder> store = nullptr);
 
   MapperReport Add(const FrameEvent& event);
   // Takes an overlap; it waits until its frames are there. Merge reports say what became of it.
@@ -66,27 +70,36 @@ class MappingEngine {
   // Closes the running session of a robot, and says which that was; nothing if none runs.
   std::optional<ClosedSession> FinishSession(const std::string& robot);
   void Finish();
-  // Forgets all maps; drives that run go on in new sessions.
-  void Reset();
+  // Forgets all maps; drives that run go on in new sessions. Where they are on disk they stay
+  // there, in the file that this returns.
+  std::filesystem::path Reset();
+  // All that came is on the disk when this returns; call at least once a second. Nothing where no
+  // store is kept.
+  void Save();
 
   MapPicture Picture() const EXCLUDES(mutex_);
 
  private:
   // A mapper dies before what it borrows.
   struct State {
-    explicit State(const MapOptions& options)
-        : mapper(options, &store, &executor, nullptr, ResultTiming::kWhenReady) {}
-    MemoryFrameStore store;
+    State(const MapOptions& options, MapStore* kept)
+        : mapper(options, kept == nullptr ? static_cast<FrameStore*>(&memory) : kept, &executor,
+                 nullptr, ResultTiming::kWhenReady) {}
+    MemoryFrameStore memory;
     Executor executor{1};  // of global adjustments
     Mapper mapper;
   };
 
+  void Resume();
   bool EnterDrive(const DriveId& drive, std::string* error);
   std::optional<SessionId> RunningSession(const DriveId& drive) const;
   void Show() EXCLUDES(mutex_);
 
   MapOptions options_;
+  std::unique_ptr<StoreFolder> store_;  // null: none is kept
   std::unique_ptr<State> state_;
+  std::vector<FrameId> saved_up_to_;
+  bool is_saved_ = true;
   std::map<std::string, DriveId> current_drives_;  // by robot
   std::set<DriveId> ended_drives_;
   std::map<DriveId, uint32_t> next_indices_;

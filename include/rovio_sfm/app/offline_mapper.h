@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rovio_sfm/app/mapper.h"
+#include "rovio_sfm/app/store_folder.h"
 #include "rovio_sfm/frontend/frontend.h"
 #include "rovio_sfm/recognition/place_recognizer.h"
 #include "rovio_sfm/report/matching_funnel.h"
@@ -43,9 +44,10 @@ struct OfflineMapperOptions {
 class OfflineMapper {
  public:
   // Options must be valid. Without a place model drives are not merged, and loops not closed. times
-  // is borrowed, may be null and must outlive the mapper.
+  // and store are borrowed, may be null and must outlive the mapper. A store's maps go on: what it
+  // holds of a drive is not mapped again. Throws StoreError.
   OfflineMapper(const OfflineMapperOptions& options, std::shared_ptr<const PlaceModel> place_model,
-                StageTimes* times);
+                StageTimes* times, MapStore* store = nullptr);
 
   // Ends the drive before, if there is one, and begins the next.
   void StartDrive(const std::string& robot);
@@ -61,6 +63,8 @@ class OfflineMapper {
   std::vector<MergeReport> merge_reports() const { return mapper_.MergeReports(); }
 
  private:
+  void Resume();
+  DriveId KeptName(const DriveId& drive) const;
   void FinishDrive();
   void TakeOldest();
   void Map(const FrameEvent& event);
@@ -68,7 +72,9 @@ class OfflineMapper {
 
   OfflineMapperOptions options_;
   StageTimes* times_;
-  MemoryFrameStore store_;
+  MapStore* kept_;  // null: in memory alone
+  MemoryFrameStore memory_;
+  FrameStore* store_;          // one of the two
   Executor adjust_executor_;   // of the mapper's global adjustment
   Executor prepare_executor_;  // of the frontend's pure first half
   Mapper mapper_;
@@ -80,6 +86,7 @@ class OfflineMapper {
   FrontendCounters frontend_counters_;
   MatchingFunnel funnel_;
   uint32_t next_nonce_ = 0;
+  std::map<DriveId, uint32_t> kept_before_;  // the index after the last frame that the store held
 };
 
 }  // namespace rovio_sfm

@@ -1,0 +1,72 @@
+#include "rovio_sfm/app/store_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace rovio_sfm {
+namespace {
+
+constexpr const char* kSideFiles[] = {"", "-wal", "-shm"};
+
+// The lock goes with the process, however it ends.
+int LockFolder(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "map.db.lock";
+  const int lock = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (lock < 0) throw std::runtime_error(path.string() + ": cannot be made or opened");
+  if (flock(lock, LOCK_EX | LOCK_NB) == 0) return lock;
+  close(lock);
+  throw std::runtime_error(folder.string() + ": another process maps into this folder");
+}
+
+void RemoveStore(const std::filesystem::path& file) {
+  for (const char* side : kSideFiles) std::filesystem::remove(file.string() + side);
+}
+
+}  // namespace
+
+std::filesystem::path StoreFolder::FileIn(const std::filesystem::path& folder) {
+  return folder / "map.db";
+}
+
+StoreFolder::StoreFolder(const std::filesystem::path& folder, ExistingStore existing,
+                         const MapStoreOptions& options)
+    : folder_(folder), options_(options) {
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path file = FileIn(folder);
+  const bool exists = std::filesystem::exists(file);
+  if (exists && existing == ExistingStore::kRefuse) {
+    throw std::runtime_error(file.string() +
+                             " exists; give --resume to go on with it, --overwrite to replace it");
+  }
+  lock_ = LockFolder(folder);
+  try {
+    if (exists && existing == ExistingStore::kReplace) RemoveStore(file);
+    store_ = std::make_unique<MapStore>(file, StoreAccess::kCreate, options);
+  } catch (...) {
+    close(lock_);
+    throw;
+  }
+}
+
+StoreFolder::~StoreFolder() {
+  store_.reset();
+  close(lock_);
+}
+
+std::filesystem::path StoreFolder::StartAnew() {
+  store_.reset();  // its log goes into the file itself
+  const std::filesystem::path file = FileIn(folder_);
+  std::filesystem::path aside;
+  for (int i = 1; aside.empty() || std::filesystem::exists(aside); ++i) {
+    aside = folder_ / ("map_" + std::to_string(i) + ".db");
+  }
+  std::filesystem::rename(file, aside);
+  store_ = std::make_unique<MapStore>(file, StoreAccess::kCreate, options_);
+  return aside;
+}
+
+}  // namespace rovio_sfm
