@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
@@ -40,6 +41,11 @@ void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
       "--resume", arguments->resume,
       "go on with the maps that the folder holds; a drive that is there goes on after its end");
   resume->excludes(overwrite)->excludes("--seeded");
+  app->add_flag("--localize", arguments->mapper.localize,
+                "pose the images in the maps that the folder holds, and write localized.txt alone")
+      ->excludes(overwrite)
+      ->excludes(resume)
+      ->excludes("--seeded");
   app->add_flag("!--no-store", arguments->store, "keep no map.db: nothing to resume from")
       ->excludes(resume);
 }
@@ -56,6 +62,7 @@ void CompleteMappingArguments(MappingArguments* arguments) {
 
 void PrepareResultFolder(const MappingArguments& arguments, const std::string& file) {
   const std::filesystem::path path = std::filesystem::path(arguments.out) / file;
+  if (arguments.mapper.localize) return;
   if (!arguments.overwrite && !arguments.resume && std::filesystem::exists(path)) {
     throw std::runtime_error(path.string() +
                              " exists; give --resume to go on with it, --overwrite to replace it");
@@ -68,13 +75,14 @@ std::unique_ptr<StoreFolder> OpenResultStore(const MappingArguments& arguments) 
   ExistingStore existing = ExistingStore::kRefuse;
   if (arguments.overwrite) existing = ExistingStore::kReplace;
   if (arguments.resume) existing = ExistingStore::kResume;
+  if (arguments.mapper.localize) existing = ExistingStore::kRead;
   MapStoreOptions options;
   options.keep_images = arguments.mapper.frontend.keep_images;
   return std::make_unique<StoreFolder>(arguments.out, existing, options);
 }
 
 void TellStore(const StoreFolder* store, std::ostream& out) {
-  if (store == nullptr) return;
+  if (store == nullptr || !store->IsWritten()) return;
   const std::string& error = store->store().error();
   const std::string file = std::filesystem::absolute(store->store().file()).string();
   if (error.empty()) {
@@ -82,6 +90,14 @@ void TellStore(const StoreFolder* store, std::ostream& out) {
   } else {
     out << "warning: " << file << " was not kept to the end: " << error << "\n";
   }
+}
+
+void WriteLocalized(const OfflineMapper& mapper, const MapSnapshot& snapshot,
+                    const MappingArguments& arguments, std::ostream& out) {
+  const std::filesystem::path path = std::filesystem::path(arguments.out) / "localized.txt";
+  WriteFile(path, LocalizedText(snapshot, mapper.localizations()), Overwrite::kAllow);
+  out << mapper.localizations().size() << " of " << mapper.frontend_counters().images
+      << " images posed in the map\nwrote " << std::filesystem::absolute(path).string() << "\n";
 }
 
 Overwrite MayReplaceResults(const MappingArguments& arguments) {

@@ -150,12 +150,28 @@ std::filesystem::path MappingEngine::Reset() {
   state_.reset();
   std::filesystem::path aside;
   if (store_) aside = store_->StartAnew();
+  BeginAnew();
+  Show();
+  return aside;
+}
+
+std::filesystem::path MappingEngine::Load(const std::filesystem::path& other) {
+  ROVIO_CHECK(store_ != nullptr, "no store is kept");
+  MapStore(other, StoreAccess::kRead);  // throws while nothing is lost
+  Save();
+  state_.reset();
+  const std::filesystem::path aside = store_->GoOnWith(other);
+  BeginAnew();
+  Resume();
+  Show();
+  return aside;
+}
+
+void MappingEngine::BeginAnew() {
   state_ = std::make_unique<State>(options_, store_ ? &store_->store() : nullptr);
   anchors_.clear();
   saved_up_to_.clear();
   ++epoch_;
-  Show();
-  return aside;
 }
 
 void MappingEngine::Show() {

@@ -9,6 +9,7 @@ namespace {
 constexpr size_t kMappingQueue = 4;       // events; the frontend waits where mapping is behind
 constexpr size_t kPreparedPerThread = 4;  // images ahead of the frontend
 constexpr size_t kFramesPerCommit = 10;
+constexpr size_t kMaxNewestBytes = 64u << 20;
 
 void Add(const FrontendCounters& more, FrontendCounters* sum) {
   sum->images += more.images;
@@ -30,15 +31,23 @@ OfflineMapper::OfflineMapper(const OfflineMapperOptions& options,
     : options_(options),
       times_(times),
       kept_(store),
-      store_(store == nullptr ? static_cast<FrameStore*>(&memory_) : store),
+      newest_(kMaxNewestBytes,
+              [store](const FrameId& id) { return store == nullptr ? nullptr : store->Get(id); }),
+      store_(ChooseStore()),
       adjust_executor_(options.num_threads > 1 ? 1 : 0),
       prepare_executor_(options.num_threads - 1),
       mapper_(options.mapper, store_, &adjust_executor_, times) {
   if (place_model) recognizer_.emplace(options.places, std::move(place_model), store_, times);
   if (kept_ != nullptr) Resume();
+  if (options.localize) localizer_.emplace(options.mapper, &mapper_.maps());
   if (options.num_threads == 1) return;
   mapping_ = std::make_unique<Worker<FrameEvent>>(kMappingQueue, WhenFull::kBlock,
                                                   [this](const FrameEvent& event) { Map(event); });
+}
+
+FrameStore* OfflineMapper::ChooseStore() {
+  if (options_.localize) return &newest_;
+  return kept_ == nullptr ? static_cast<FrameStore*>(&memory_) : kept_;
 }
 
 // Places of the frames that are there are known again; what they match was judged before.
@@ -98,6 +107,7 @@ void OfflineMapper::Map(const FrameEvent& event) {
     drives_.back().push_back(event);
     return;
   }
+  if (localizer_) return Localize(event);
   const auto kept = kept_before_.find(event.id.drive);
   if (kept != kept_before_.end() && event.id.index < kept->second) return;
   mapper_.Add(event);
@@ -107,6 +117,19 @@ void OfflineMapper::Map(const FrameEvent& event) {
   if (kept_ == nullptr || kept_->num_uncommitted() < kFramesPerCommit) return;
   const auto scope = MeasureStage(times_, "store");
   mapper_.SaveTo(kept_);
+}
+
+void OfflineMapper::Localize(const FrameEvent& event) {
+  store_->Put(event);
+  KeepBest(localizer_->Add(event));
+  if (!recognizer_) return;
+  for (const PlaceMatch& match : recognizer_->Add(event)) KeepBest(localizer_->Add(match));
+}
+
+void OfflineMapper::KeepBest(const std::optional<Localization>& pose) {
+  if (!pose) return;
+  Localization& best = localizations_[pose->id];
+  if (pose->num_inliers > best.num_inliers) best = *pose;
 }
 
 // A match's query is the later frame: by query, the thesis's table T is inverted.
@@ -139,6 +162,7 @@ void OfflineMapper::FinishDrive() {
 std::shared_ptr<const MapSnapshot> OfflineMapper::Finish() {
   FinishDrive();
   if (mapping_) mapping_->Finish();
+  if (localizer_) return mapper_.Snapshot();
   if (options_.seeded) MapSeeded();
   mapper_.Finish();
   if (kept_ != nullptr) mapper_.SaveTo(kept_);

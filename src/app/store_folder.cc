@@ -22,6 +22,14 @@ int LockFolder(const std::filesystem::path& folder) {
   throw std::runtime_error(folder.string() + ": another process maps into this folder");
 }
 
+// On the disk, a folder's names too.
+void SyncFile(const std::filesystem::path& path) {
+  const int file = open(path.empty() ? "." : path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool synced = file >= 0 && fsync(file) == 0;
+  if (file >= 0) close(file);
+  if (!synced) throw std::runtime_error(path.string() + ": cannot be written to the disk");
+}
+
 void RemoveStore(const std::filesystem::path& file) {
   for (const char* side : kSideFiles) std::filesystem::remove(file.string() + side);
 }
@@ -35,8 +43,12 @@ std::filesystem::path StoreFolder::FileIn(const std::filesystem::path& folder) {
 StoreFolder::StoreFolder(const std::filesystem::path& folder, ExistingStore existing,
                          const MapStoreOptions& options)
     : folder_(folder), options_(options) {
-  std::filesystem::create_directories(folder);
   const std::filesystem::path file = FileIn(folder);
+  if (existing == ExistingStore::kRead) {
+    store_ = std::make_unique<MapStore>(file, StoreAccess::kRead, options);
+    return;
+  }
+  std::filesystem::create_directories(folder);
   const bool exists = std::filesystem::exists(file);
   if (exists && existing == ExistingStore::kRefuse) {
     throw std::runtime_error(file.string() +
@@ -54,19 +66,47 @@ StoreFolder::StoreFolder(const std::filesystem::path& folder, ExistingStore exis
 
 StoreFolder::~StoreFolder() {
   store_.reset();
-  close(lock_);
+  if (lock_ >= 0) close(lock_);
 }
 
-std::filesystem::path StoreFolder::StartAnew() {
+std::filesystem::path StoreFolder::PutAside() {
   store_.reset();  // its log goes into the file itself
-  const std::filesystem::path file = FileIn(folder_);
   std::filesystem::path aside;
   for (int i = 1; aside.empty() || std::filesystem::exists(aside); ++i) {
     aside = folder_ / ("map_" + std::to_string(i) + ".db");
   }
-  std::filesystem::rename(file, aside);
-  store_ = std::make_unique<MapStore>(file, StoreAccess::kCreate, options_);
+  std::filesystem::rename(FileIn(folder_), aside);
   return aside;
+}
+
+std::filesystem::path StoreFolder::StartAnew() {
+  const std::filesystem::path aside = PutAside();
+  store_ = std::make_unique<MapStore>(FileIn(folder_), StoreAccess::kCreate, options_);
+  return aside;
+}
+
+std::filesystem::path StoreFolder::GoOnWith(const std::filesystem::path& other) {
+  const std::filesystem::path copy = folder_ / "map.db.loaded";
+  CopyStoreFile(other, copy);
+  const std::filesystem::path aside = PutAside();
+  std::filesystem::rename(copy, FileIn(folder_));
+  store_ = std::make_unique<MapStore>(FileIn(folder_), StoreAccess::kWrite, options_);
+  return aside;
+}
+
+void CopyStoreFile(const std::filesystem::path& from, const std::filesystem::path& to) {
+  const std::filesystem::path half = to.string() + ".half";
+  std::filesystem::remove(half);
+  try {
+    MapStore(from, StoreAccess::kRead).CopyTo(half);
+    SyncFile(half);
+    std::filesystem::rename(half, to);
+    SyncFile(to.parent_path());
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(half, ignored);
+    throw;
+  }
 }
 
 }  // namespace rovio_sfm

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "rovio_sfm/report/level_session.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -50,6 +52,20 @@ std::vector<std::filesystem::path> WriteMapFiles(const LevelMap& map,
   }
   write("cloud.ply", MapCloudBytes(map));
   return written;
+}
+
+std::string LocalizedText(const MapSnapshot& snapshot,
+                          const std::map<FrameId, Localization>& localizations) {
+  std::vector<StampedPose> poses;
+  for (const auto& [id, pose] : localizations) {
+    const SessionSnapshot* session = FindSession(snapshot, pose.session);
+    const auto map = session == nullptr ? std::nullopt : FindLevelMap(snapshot, session->map);
+    if (!map) continue;
+    const Sim3 level_from_session = map->level_from_map * session->map_from_session;
+    poses.push_back(
+        {pose.stamp_ns, Inverse(TransformCamera(level_from_session, pose.cam_from_session))});
+  }
+  return TrajectoryText(poses);
 }
 
 }  // namespace rovio_sfm

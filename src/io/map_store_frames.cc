@@ -137,11 +137,14 @@ std::vector<DriveRecord> StoredFrames::ReadDrives() const {
   return records;
 }
 
-std::vector<uint32_t> StoredFrames::ReadIndices(const DriveId& drive) const {
+std::vector<uint32_t> StoredFrames::ReadIndices(const DriveId& drive, uint32_t first,
+                                                uint32_t max_count) const {
   std::vector<uint32_t> indices;
   const std::optional<int64_t> row = FindRow(drive);
   if (!row) return indices;
-  Rows rows = database_->Query("SELECT number FROM frame WHERE drive = ? ORDER BY number", *row);
+  Rows rows = database_->Query(
+      "SELECT number FROM frame WHERE drive = ? AND number >= ? ORDER BY number LIMIT ?", *row,
+      first, max_count);
   while (rows.Next()) indices.push_back(static_cast<uint32_t>(rows.Int(0)));
   return indices;
 }

@@ -72,6 +72,8 @@ std::optional<MapStatus> MapStatusWriter::Write(const MapPicture& picture,
   status.header.stamp = NewestStamp(*picture.snapshot);
   WriteSessions(picture, &status);
   WriteMaps(picture, &status);
+  for (const FrameId& id : picture.saved_up_to) status.saved_up_to.push_back(ToMessage(id));
+  status.store_error = picture.store_error;
   AddCounters(picture, counters, &status);
   AddMerges(*picture.merges, &status);
   return status;

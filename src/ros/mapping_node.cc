@@ -1,5 +1,6 @@
 #include "rovio_sfm/ros/mapping_node.h"
 
+#include <filesystem>
 #include <utility>
 
 #include "rovio_sfm/ros/conversions.h"
@@ -17,6 +18,7 @@ constexpr size_t kHistoryBytes = 256u << 20;
 constexpr double kEdgePeriodS = 0.05;
 constexpr double kMapPeriodS = 0.25;
 constexpr double kWarnPeriodS = 10.0;
+constexpr double kSavePeriodS = 0.9;     // a crash costs less than a second
 constexpr uint32_t kServiceThreads = 2;  // one call may wait for the worker, another answer
 
 // In the order of MappingNode::Lane; no kind of work pushes out another. Frame events dropped are
@@ -39,13 +41,22 @@ size_t SizeOf(const PlaceMatch& match) {
   return num_bytes;
 }
 
+std::unique_ptr<StoreFolder> OpenStore(const MappingNodeOptions& options) {
+  if (!options.keep_store || options.output_dir.empty()) return nullptr;
+  MapStoreOptions store;
+  store.keep_images = options.keep_images;
+  const auto file = StoreFolder::FileIn(options.output_dir);
+  if (std::filesystem::exists(file)) ROS_INFO_STREAM("going on with the maps of " << file.string());
+  return std::make_unique<StoreFolder>(options.output_dir, ExistingStore::kResume, store);
+}
+
 }  // namespace
 
 MappingNode::MappingNode(const MappingNodeOptions& options, ros::NodeHandle node,
                          ros::NodeHandle private_node)
     : options_(options),
       node_(node),
-      engine_(options.mapper),
+      engine_(options.mapper, OpenStore(options)),
       publisher_(node, options.cloud_period_s),
       history_(kHistoryEvents, kHistoryBytes),
       fetcher_(node,
@@ -84,9 +95,16 @@ void MappingNode::StartTimers() {
         worker_.Push(kClockLane, [this, now_s = SteadySeconds()] {
           gap_filler_.CheckTime(now_s);
           engine_.ApplyDueResults();
+          SaveNowAndThen(now_s);
           CountGaps();
         });
       });
+}
+
+void MappingNode::SaveNowAndThen(double now_s) {
+  if (now_s < next_save_s_) return;
+  next_save_s_ = now_s + kSavePeriodS;
+  engine_.Save();
 }
 
 MappingNode::~MappingNode() {
@@ -182,7 +200,9 @@ void MappingNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) 
   const MapPicture picture = engine_.Picture();
   const IngestCounters counters = Counters();
   const auto& sessions = picture.snapshot->sessions;
-  if (picture.num_events == 0) {
+  if (!picture.store_error.empty()) {
+    status.summary(Level::ERROR, "maps are not saved any more: " + picture.store_error);
+  } else if (picture.num_events == 0) {
     status.summary(Level::WARN, "no frames yet");
   } else if (!sessions.empty() && sessions.back().state == SessionState::kBootstrapping) {
     status.summary(Level::WARN, "the newest session looks for its first two frames");

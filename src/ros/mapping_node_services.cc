@@ -4,6 +4,7 @@
 #include "rovio_sfm/ros/answer_merge.h"
 #include "rovio_sfm/ros/export_map.h"
 #include "rovio_sfm/ros/map_messages.h"
+#include "rovio_sfm/ros/map_store_files.h"
 #include "rovio_sfm/ros/mapping_node.h"
 #include "rovio_sfm/ros/status.h"
 #include "rovio_sfm/ros/topics.h"
@@ -12,6 +13,7 @@
 namespace rovio_sfm {
 namespace {
 
+constexpr char kNoStore[] = "no store is kept: ~output_dir is empty or ~keep_store false";
 constexpr char kDropped[] = "the call was refused: too many wait already, or the node ends";
 
 }  // namespace
@@ -26,6 +28,8 @@ void MappingNode::AdvertiseServices() {
       node.advertiseService(topics::kFinishSession, &MappingNode::FinishSession, this),
       node.advertiseService(topics::kExportMap, &MappingNode::ExportMap, this),
       node.advertiseService(topics::kReset, &MappingNode::Reset, this),
+      node.advertiseService(topics::kSaveMap, &MappingNode::SaveMap, this),
+      node.advertiseService(topics::kLoadMap, &MappingNode::LoadMap, this),
       node.advertiseService(topics::kMergeSessions, &MappingNode::MergeSessions, this),
       node.advertiseService(topics::kUnmergeSession, &MappingNode::UnmergeSession, this),
   };
@@ -42,6 +46,11 @@ bool MappingNode::ListSessions(ListSessionsRequest&, ListSessionsResponse& respo
 
 bool MappingNode::GetFrames(GetFramesRequest& request, GetFramesResponse& response) {
   response = history_.Page(request);
+  const bool holds_first =
+      !response.frames.empty() && response.frames.front().id.index == request.first.index;
+  if (holds_first || !engine_.keeps_store()) return true;
+  GetFramesResponse kept = PageOfStore(options_.output_dir, request);
+  if (!kept.frames.empty()) response = std::move(kept);
   return true;
 }
 
@@ -87,14 +96,65 @@ bool MappingNode::Reset(ResetRequest& request, ResetResponse& response) {
     response.status = InvalidArgument("confirm: expected true; all maps would be forgotten");
     return true;
   }
-  const auto reset = [this] {
+  std::filesystem::path aside;
+  const auto reset = [&] {
     gap_filler_.EndAllWaits(SteadySeconds());
-    engine_.Reset();
+    aside = engine_.Reset();
     history_.Clear();
   };
-  response.status =
-      RunAndWait(reset, kCallLane, &worker_) ? Ok("all maps are forgotten") : Internal(kDropped);
+  std::string message = "all maps are forgotten";
+  const bool is_reset = RunAndWait(reset, kCallLane, &worker_);
+  if (!aside.empty()) message += "; they are kept in " + aside.string();
+  response.status = is_reset ? Ok(message) : Internal(kDropped);
   return true;
+}
+
+bool MappingNode::SaveMap(SaveMapRequest& request, SaveMapResponse& response) {
+  if (!engine_.keeps_store()) {
+    response.status = FailedPrecondition(kNoStore);
+  } else if (!RunAndWait([this] { engine_.Save(); }, kCallLane, &worker_)) {
+    response.status = Internal(kDropped);
+  } else {
+    response = CopyStore(options_.output_dir, request);
+  }
+  return true;
+}
+
+bool MappingNode::LoadMap(LoadMapRequest& request, LoadMapResponse& response) {
+  std::string error;
+  const std::filesystem::path file = StorePathOf(options_.output_dir, request.name, &error);
+  if (!engine_.keeps_store()) {
+    response.status = FailedPrecondition(kNoStore);
+  } else if (!request.confirm) {
+    response.status = InvalidArgument("confirm: expected true; the maps of now would be put aside");
+  } else if (file.empty()) {
+    response.status = InvalidArgument(error);
+  } else if (!std::filesystem::exists(file)) {
+    response.status = NotFound("name: there is no " + file.string());
+  } else {
+    LoadStore(file, &response);
+  }
+  return true;
+}
+
+void MappingNode::LoadStore(const std::filesystem::path& file, LoadMapResponse* response) {
+  std::string error;
+  const auto load = [&] {
+    try {
+      response->put_aside = engine_.Load(file).string();
+      gap_filler_.EndAllWaits(SteadySeconds());
+      history_.Clear();
+    } catch (const std::exception& failure) {  // no store, another version, a full disk
+      error = failure.what();
+    }
+  };
+  if (!RunAndWait(load, kCallLane, &worker_)) {
+    response->status = Internal(kDropped);
+  } else if (!error.empty()) {
+    response->status = InvalidArgument(error);
+  } else {
+    response->status = Ok("mapping goes on with the maps of " + file.string());
+  }
 }
 
 bool MappingNode::MergeSessions(MergeSessionsRequest& request, MergeSessionsResponse& response) {

@@ -77,6 +77,7 @@ std::shared_ptr<const MapSnapshot> MapBags(const Arguments& arguments, std::ostr
   const std::shared_ptr<const MapSnapshot> snapshot = mapper.Finish();
   out << mapper.mapper_counters().global_adjustments << " global adjustments\n";
   TellStore(store.get(), out);
+  if (arguments.mapper.localize) WriteLocalized(mapper, *snapshot, arguments, out);
   return snapshot;
 }
 
@@ -91,6 +92,7 @@ int ReplayCommand(int argc, const char* const* argv, std::ostream& out, std::ost
   CompleteOptions(&arguments);
   PrepareResultFolder(arguments, "cloud.ply");
   const std::shared_ptr<const MapSnapshot> snapshot = MapBags(arguments, out, progress);
+  if (arguments.mapper.localize) return 0;
   const std::optional<LevelMap> map = FindLargestMap(*snapshot);
   if (!map) throw std::runtime_error("no session could start: nothing to write");
   const Overwrite overwrite = MayReplaceResults(arguments);

@@ -80,6 +80,7 @@ MapRun MapFolders(const std::vector<DatasetFolder>& datasets, const Arguments& a
   }
   run.snapshot = mapper.Finish();
   TellStore(store.get(), out);
+  if (arguments.mapper.localize) WriteLocalized(mapper, *run.snapshot, arguments, out);
   run.frontend = mapper.frontend_counters();
   run.funnel = mapper.matching_funnel();
   run.mapper = mapper.mapper_counters();
@@ -122,7 +123,7 @@ int MapImagesCommand(int argc, const char* const* argv, std::ostream& out) {
   CompleteMappingArguments(&arguments);
   PrepareResultFolder(arguments, "summary.json");
   const MapRun run = MapFolders(ReadFolders(arguments), arguments, out);
-  WriteResults(run, arguments, out);
+  if (!arguments.mapper.localize) WriteResults(run, arguments, out);
   return 0;
 }
 

@@ -48,6 +48,9 @@ void PrepareResultFolder(const MappingArguments& arguments, const std::string& f
 std::unique_ptr<StoreFolder> OpenResultStore(const MappingArguments& arguments);
 // That of a command that ends, for people; a warning where it could not be written to the end.
 void TellStore(const StoreFolder* store, std::ostream& out);
+// Of --localize: writes the poses of the images, and says how many there are.
+void WriteLocalized(const OfflineMapper& mapper, const MapSnapshot& snapshot,
+                    const MappingArguments& arguments, std::ostream& out);
 // Whether files that a folder for results holds already may be replaced.
 Overwrite MayReplaceResults(const MappingArguments& arguments);
 

@@ -32,6 +32,8 @@ class Mapper {
   // Commits what changed to the store, by which it was made too. False: it says why.
   bool SaveTo(MapStore* store);
 
+  const MapKeeper& maps() const { return keeper_; }
+
   // Takes the next event of its drive. An event that does not fit (index not increasing, camera of
   // the drive changed) is refused, with the reason; the maps stay as they were.
   MapperReport Add(const FrameEvent& event);

@@ -73,6 +73,10 @@ class MappingEngine {
   // Forgets all maps; drives that run go on in new sessions. Where they are on disk they stay
   // there, in the file that this returns.
   std::filesystem::path Reset();
+  // Takes the maps of another store in place of these, which stay in the file that this returns.
+  // Throws StoreError, and keeps the maps, where that is no store; only where one is kept.
+  std::filesystem::path Load(const std::filesystem::path& other);
+  bool keeps_store() const { return store_ != nullptr; }
   // All that came is on the disk when this returns; call at least once a second. Nothing where no
   // store is kept.
   void Save();
@@ -91,6 +95,7 @@ class MappingEngine {
   };
 
   void Resume();
+  void BeginAnew();
   bool EnterDrive(const DriveId& drive, std::string* error);
   std::optional<SessionId> RunningSession(const DriveId& drive) const;
   void Show() EXCLUDES(mutex_);

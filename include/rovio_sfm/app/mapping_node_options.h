@@ -16,6 +16,8 @@ struct MappingNodeOptions {
   std::vector<std::string> robots = {"rovio1"};
   std::string output_dir;
   bool overwrite = false;
+  bool keep_store = true;
+  bool keep_images = true;
   double cloud_period_s = 1.0;
   double drain_s = 10.0;
   double fetch_timeout_s = 5.0;
@@ -26,6 +28,9 @@ struct MappingNodeOptions {
     AddRobotNames(table, robots, "whose /<robot>/frames are mapped");
     table.AddText("output_dir", output_dir, "of maps; empty: none written, export_map is refused");
     table.AddFlag("overwrite", overwrite, "the map written at the end may replace an older one");
+    table.AddFlag("keep_store", keep_store,
+                  "maps are kept in output_dir/map.db, and those that it holds go on");
+    table.AddFlag("keep_images", keep_images, "the store keeps the JPEGs that frames bring");
     table.AddNumber("cloud_period_s", cloud_period_s, 0.1, 60.0, "the cloud goes out no oftener");
     table.AddNumber("drain_s", drain_s, 0.0, 3600.0, "at the end, for frames that are queued");
     table.AddNumber("fetch_timeout_s", fetch_timeout_s, 0.1, 600.0,

@@ -10,8 +10,10 @@
 #include "rovio_sfm/app/mapper.h"
 #include "rovio_sfm/app/store_folder.h"
 #include "rovio_sfm/frontend/frontend.h"
+#include "rovio_sfm/merging/localizer.h"
 #include "rovio_sfm/recognition/place_recognizer.h"
 #include "rovio_sfm/report/matching_funnel.h"
+#include "rovio_sfm/scene/frame_cache.h"
 #include "rovio_sfm/scene/memory_frame_store.h"
 #include "rovio_sfm/util/executor.h"
 #include "rovio_sfm/util/option_table.h"
@@ -27,6 +29,8 @@ struct OfflineMapperOptions {
   // Algorithms 1 to 3 of the thesis (§4.3), in their phases: the features of all drives, the places
   // of all frames, then one session after the other, each seeded from those before.
   bool seeded = false;
+  // The maps of a store stay what they are: images are only posed in them.
+  bool localize = false;
   int num_threads = 2;
   uint64_t seed = 1;
 
@@ -61,23 +65,31 @@ class OfflineMapper {
   const MatchingFunnel& matching_funnel() const { return funnel_; }
   MapperCounters mapper_counters() const { return mapper_.counters(); }
   std::vector<MergeReport> merge_reports() const { return mapper_.MergeReports(); }
+  // Where the images stand, with options.localize: those that were posed, by drive and index.
+  const std::map<FrameId, Localization>& localizations() const { return localizations_; }
 
  private:
   void Resume();
+  FrameStore* ChooseStore();
   DriveId KeptName(const DriveId& drive) const;
   void FinishDrive();
   void TakeOldest();
   void Map(const FrameEvent& event);
   void MapSeeded();
+  void Localize(const FrameEvent& event);
+  void KeepBest(const std::optional<Localization>& pose);
 
   OfflineMapperOptions options_;
   StageTimes* times_;
   MapStore* kept_;  // null: in memory alone
   MemoryFrameStore memory_;
-  FrameStore* store_;          // one of the two
+  FrameCache newest_;          // over what is kept, where nothing is added to it
+  FrameStore* store_;          // one of the three
   Executor adjust_executor_;   // of the mapper's global adjustment
   Executor prepare_executor_;  // of the frontend's pure first half
   Mapper mapper_;
+  std::optional<Localizer> localizer_;
+  std::map<FrameId, Localization> localizations_;
   std::optional<PlaceRecognizer> recognizer_;  // none without a place model
   std::optional<Frontend> frontend_;
   std::deque<std::future<PreparedImage>> prepared_;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "rovio_sfm/io/write_file.h"
+#include "rovio_sfm/merging/localizer.h"
 #include "rovio_sfm/report/level_map.h"
 
 namespace rovio_sfm {
@@ -21,5 +23,9 @@ std::string MapCloudBytes(const LevelMap& map);
 std::vector<std::filesystem::path> WriteMapFiles(const LevelMap& map,
                                                  const std::filesystem::path& folder,
                                                  Overwrite overwrite);
+
+// The poses of localized images in the level frames of their maps, by stamp, as a TUM trajectory.
+std::string LocalizedText(const MapSnapshot& snapshot,
+                          const std::map<FrameId, Localization>& localizations);
 
 }  // namespace rovio_sfm

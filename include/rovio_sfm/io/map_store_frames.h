@@ -30,7 +30,8 @@ class StoredFrames {
   std::shared_ptr<const std::vector<uint8_t>> ReadImage(const FrameId& id) const;
   std::vector<DriveRecord> ReadDrives() const;
   // Of a drive, in order.
-  std::vector<uint32_t> ReadIndices(const DriveId& drive) const;
+  std::vector<uint32_t> ReadIndices(const DriveId& drive, uint32_t first = 0,
+                                    uint32_t max_count = UINT32_MAX) const;
 
   // A drive's row, made where it is new; the drive of a row.
   int64_t RowOf(const DriveId& drive, const Camera& camera);

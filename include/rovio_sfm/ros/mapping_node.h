@@ -8,13 +8,16 @@
 #include <rovio_sfm/FrameEventMsg.h>
 #include <rovio_sfm/GetFrames.h>
 #include <rovio_sfm/ListSessions.h>
+#include <rovio_sfm/LoadMap.h>
 #include <rovio_sfm/MergeSessions.h>
 #include <rovio_sfm/PlaceMatchMsg.h>
 #include <rovio_sfm/Reset.h>
+#include <rovio_sfm/SaveMap.h>
 #include <rovio_sfm/StartSession.h>
 #include <rovio_sfm/UnmergeSession.h>
 
 #include <atomic>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,13 +65,17 @@ class MappingNode {
   bool FinishSession(FinishSessionRequest& request, FinishSessionResponse& response);
   bool ExportMap(ExportMapRequest& request, ExportMapResponse& response);
   bool Reset(ResetRequest& request, ResetResponse& response);
+  bool SaveMap(SaveMapRequest& request, SaveMapResponse& response);
+  bool LoadMap(LoadMapRequest& request, LoadMapResponse& response);
   bool MergeSessions(MergeSessionsRequest& request, MergeSessionsResponse& response);
   bool UnmergeSession(UnmergeSessionRequest& request, UnmergeSessionResponse& response);
+  void LoadStore(const std::filesystem::path& file, LoadMapResponse* response);
   Status CloseSession(const std::string& robot, std::optional<ClosedSession>* closed);
 
   ArrivedFrame Arrived(const FrameEventMsg::ConstPtr& message, const FrameEvent& event);
   void Map(const FrameEventMsg::ConstPtr& message, const FrameEvent& event);  // worker
   void CountGaps();                                                           // worker
+  void SaveNowAndThen(double now_s);                                          // worker
   void WriteFinalMap() const;
 
   const MappingNodeOptions options_;
@@ -77,7 +84,8 @@ class MappingNode {
   MapPublisher publisher_;
   EventHistory history_;
   FrameFetcher fetcher_;
-  GapFiller gap_filler_;  // of the worker
+  GapFiller gap_filler_;      // of the worker
+  double next_save_s_ = 0.0;  // likewise
   std::atomic<uint64_t> num_refused_matches_{0};
   std::atomic<uint64_t> num_late_events_{0}, num_late_matches_{0};  // queued, dropped at the end
   std::atomic<uint64_t> num_lost_gaps_{0}, num_held_{0};            // of gap_filler_

@@ -1,0 +1,95 @@
+#include "rovio_sfm/ros/map_store_files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <exception>
+
+#include "rovio_sfm/app/store_folder.h"
+#include "rovio_sfm/ros/conversions.h"
+#include "rovio_sfm/ros/frame_event_message.h"
+#include "rovio_sfm/ros/status.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr char kSuffix[] = ".db";
+constexpr uint32_t kMaxPage = 100;
+
+bool IsStoreName(const std::string& name) {
+  const bool is_plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+  });
+  const size_t length = sizeof(kSuffix) - 1;
+  return is_plain && name.size() > length && name.size() <= 64 && name.front() != '.' &&
+         name.compare(name.size() - length, length, kSuffix) == 0;
+}
+
+void AddPage(const StoredFrames& frames, const FrameId& first, uint32_t max_frames,
+             GetFramesResponse* response) {
+  for (const uint32_t index : frames.ReadIndices(first.drive, first.index, max_frames)) {
+    const auto event = frames.ReadEvent({first.drive, index}, EventParts::kAll);
+    if (!event) continue;
+    response->frames.push_back(ToMessage(*event));
+    response->next_index = index + 1;
+  }
+}
+
+}  // namespace
+
+std::filesystem::path StorePathOf(const std::string& output_dir, const std::string& name,
+                                  std::string* error) {
+  const std::filesystem::path folder(output_dir);
+  if (!IsStoreName(name)) {
+    *error = "name: expected at most 64 of A-Z a-z 0-9 _ - . that end with .db";
+  } else if (folder / name == StoreFolder::FileIn(folder)) {
+    *error = "name: " + name + " is the store that is mapped into; expected another";
+  } else {
+    return folder / name;
+  }
+  return {};
+}
+
+SaveMapResponse CopyStore(const std::string& output_dir, const SaveMapRequest& request) {
+  SaveMapResponse response;
+  std::string error;
+  const std::filesystem::path path = StorePathOf(output_dir, request.name, &error);
+  if (path.empty()) {
+    response.status = InvalidArgument(error);
+    return response;
+  }
+  if (!request.overwrite && std::filesystem::exists(path)) {
+    response.status = AlreadyExists(path.string() + " exists and overwrite was false");
+    return response;
+  }
+  try {
+    CopyStoreFile(StoreFolder::FileIn(output_dir), path);
+    response.file = std::filesystem::absolute(path).string();
+    response.status = Ok("all maps were copied to " + response.file);
+  } catch (const std::exception& failure) {  // a full disk, a read-only folder
+    response.status = Internal(failure.what());
+  }
+  return response;
+}
+
+GetFramesResponse PageOfStore(const std::string& output_dir, const GetFramesRequest& request) {
+  GetFramesResponse response;
+  std::string error;
+  const auto first = FromMessage(request.first, &error);
+  if (!first) {
+    response.status = InvalidArgument("first." + error);
+    return response;
+  }
+  try {
+    MapStore store(StoreFolder::FileIn(output_dir), StoreAccess::kRead);
+    AddPage(store.frames(), *first, std::min(request.max_frames, kMaxPage), &response);
+  } catch (const std::exception& failure) {
+    response.status = Internal(failure.what());
+    return response;
+  }
+  response.more = !response.frames.empty();
+  response.status = response.more ? Ok(std::to_string(response.frames.size()) + " frames")
+                                  : NotFound("no frame of that drive from that index on is kept");
+  return response;
+}
+
+}  // namespace rovio_sfm
