@@ -64,6 +64,9 @@ function(rovio_compile_options TARGET)
     target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wshadow -Wconversion -Werror
                            $<$<CXX_COMPILER_ID:Clang>:-Wthread-safety>)
   else()
-    target_compile_options(${TARGET} PRIVATE -Wall -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
+    target_compile_options(${TARGET} PRIVATE -Wall)
+  endif()
+  if(NOT ROVIO_SFM_DEVELOPER OR NOT ROVIO_SFM_CCACHE)  # scripts/environment's ccache does likewise
+    target_compile_options(${TARGET} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
   endif()
 endfunction()

@@ -41,7 +41,7 @@ rovio_library(tools/trajectory LINKS rovio_app nlohmann_json::nlohmann_json TEST
 rovio_library(tools       LINKS rovio_tools_trajectory nlohmann_json::nlohmann_json TEST_LINKS rovio_synthetic)
 if(ROVIO_WITH_ROS)
   rovio_library(ros       LINKS rovio_app ${catkin_LIBRARIES} TEST_LINKS rovio_synthetic)
-  add_dependencies(rovio_ros ${${PROJECT_NAME}_EXPORTED_TARGETS})  # generated headers
+  add_dependencies(rovio_ros ${PROJECT_NAME}_generate_messages_cpp)  # no other language
 endif()
 
 # The simulated robot stands apart and shares nothing with rovio/.
