@@ -34,7 +34,7 @@ std::optional<std::string> TheOnlyOne(const Names& names, const std::string& typ
 
 // Base topic → its transports.
 std::map<std::string, Names> ImageBases(const std::vector<PublishedTopic>& topics,
-                                        const std::vector<std::string>& own) {
+                                        const std::vector<std::string>& previews) {
   std::map<std::string, Names> bases;
   const std::string end = kCompressedEnd;
   for (const std::string& name : NamesOfType(topics, "sensor_msgs/Image")) {
@@ -44,14 +44,14 @@ std::map<std::string, Names> ImageBases(const std::vector<PublishedTopic>& topic
     if (name.size() <= end.size() || name.substr(name.size() - end.size()) != end) continue;
     bases[name.substr(0, name.size() - end.size())].insert(kCompressed);
   }
-  for (const std::string& name : own) bases.erase(name);
+  for (const std::string& name : previews) bases.erase(name);
   return bases;
 }
 
 }  // namespace
 
 std::optional<ImageTopic> GuessImageTopic(const std::vector<PublishedTopic>& topics,
-                                          const std::vector<std::string>& own,
+                                          const std::vector<std::string>& previews,
                                           const std::string& transport) {
   const auto bases = ImageBases(topics, own);
   Names names;

@@ -1,6 +1,10 @@
 #include "rovio_sfm/ros/camera_subscribers.h"
 
+#include <rovio_sfm/FrameEventMsg.h>
+
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "rovio_sfm/ros/topics.h"
 
@@ -19,14 +23,24 @@ std::vector<PublishedTopic> PublishedTopics() {
   return topics;
 }
 
+// The images that frontends draw, each beside its frames.
+std::vector<std::string> PreviewsOf(const std::vector<PublishedTopic>& published) {
+  std::vector<std::string> previews;
+  for (const PublishedTopic& topic : published) {
+    if (topic.type != ros::message_traits::DataType<FrameEventMsg>::value()) continue;
+    const std::string space = topic.name.substr(0, topic.name.rfind('/') + 1);
+    previews.push_back(space + topics::kPreview);
+    previews.push_back(space + topics::kDebugMatches);
+  }
+  return previews;
+}
+
 }  // namespace
 
 CameraSubscribers::CameraSubscribers(const CameraTopicOptions& options, bool needs_camera_info,
-                                     std::vector<std::string> own, ros::NodeHandle node,
-                                     CameraCallbacks callbacks)
+                                     ros::NodeHandle node, CameraCallbacks callbacks)
     : options_(options),
       needs_camera_info_(needs_camera_info),
-      own_(std::move(own)),
       node_(node),
       callbacks_(std::move(callbacks)),
       transports_(node) {
@@ -74,7 +88,7 @@ void CameraSubscribers::Search() {
   last_search_ = now;
   const std::vector<PublishedTopic> topics = PublishedTopics();
   if (!image_base_) {
-    const auto image = GuessImageTopic(topics, own_, options_.image_transport);
+    const auto image = GuessImageTopic(topics, PreviewsOf(topics), options_.image_transport);
     if (image) SubscribeImages(*image);
   }
   if (!image_base_) {

@@ -39,9 +39,7 @@ FrontendNode::FrontendNode(const FrontendNodeOptions& options, uint32_t nonce, r
       gate_(options.gate, &sensors_),
       history_(kHistoryEvents, kHistoryBytes),
       frontend_(options.frontend, options.robot, options.seed, nonce),
-      subscribers_(options.topics, options.calibration_file.empty(),
-                   {node.resolveName(topics::kPreview), node.resolveName(topics::kDebugMatches)},
-                   node, Callbacks()),
+      subscribers_(options.topics, options.calibration_file.empty(), node, Callbacks()),
       diagnostics_(node, private_node),
       thresholds_(thresholds_mutex_, ros::NodeHandle(private_node, topics::kThresholds)),
       worker_(kImageQueue, WhenFull::kDropOldest, [this](const Job& job) { Handle(job); }) {

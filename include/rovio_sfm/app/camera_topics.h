@@ -39,11 +39,11 @@ struct ImageTopic {
   std::string transport;
 };
 
-// What a guess is made of: all topics but those in `own`, which this node itself publishes. Each is
-// nothing while there is no such topic, and throws std::runtime_error that lists them where there
-// are several.
+// What a guess is made of: all topics but `previews`, images that frontends themselves draw. Each
+// is nothing while there is no such topic, and throws std::runtime_error that lists them where
+// there are several.
 std::optional<ImageTopic> GuessImageTopic(const std::vector<PublishedTopic>& topics,
-                                          const std::vector<std::string>& own,
+                                          const std::vector<std::string>& previews,
                                           const std::string& transport);
 // The one beside the images before any other.
 std::optional<std::string> GuessCameraInfoTopic(const std::vector<PublishedTopic>& topics,

@@ -10,7 +10,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "rovio_sfm/app/camera_topics.h"
 
@@ -28,10 +27,9 @@ struct CameraCallbacks {
 // come as the bytes that were sent; every other transport is image_transport's. Used by one thread.
 class CameraSubscribers {
  public:
-  // Without a topic of camera_info where the camera is known already. `own`: what the node itself
-  // publishes.
-  CameraSubscribers(const CameraTopicOptions& options, bool needs_camera_info,
-                    std::vector<std::string> own, ros::NodeHandle node, CameraCallbacks callbacks);
+  // Without a topic of camera_info where the camera is known already.
+  CameraSubscribers(const CameraTopicOptions& options, bool needs_camera_info, ros::NodeHandle node,
+                    CameraCallbacks callbacks);
 
   // Looks for what is to be guessed; call often. Throws std::runtime_error that lists them where
   // there are several of a kind.
@@ -45,7 +43,6 @@ class CameraSubscribers {
 
   CameraTopicOptions options_;
   bool needs_camera_info_;
-  std::vector<std::string> own_;
   ros::NodeHandle node_;
   CameraCallbacks callbacks_;
   image_transport::ImageTransport transports_;
