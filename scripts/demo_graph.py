@@ -91,14 +91,14 @@ class Progress:
     """What has been reached: stops, frames, maps. Tells it every ten seconds, and knows since when
     nothing more has been."""
 
-    def __init__(self, start, tour_logs):
+    def __init__(self, start, tour_logs, clock=time.monotonic):
         self.start, self.tour_logs = start, tour_logs  # tour_logs: {robot: log of its drive_tour}
-        self.reached, self.changed = None, time.monotonic()
-        self.told = time.monotonic()
+        self.clock, self.reached = clock, None
+        self.changed = self.told = clock()
 
     def look(self, status):
         """Takes in the newest map_status, None before the first. Call often."""
-        now = time.monotonic()
+        now = self.clock()
         stops = {robot: last_stop(log) for robot, log in self.tour_logs.items()}
         reached = stops, status and (status.num_events, [s.num_frames for s in status.sessions])
         if reached != self.reached:
@@ -108,7 +108,7 @@ class Progress:
             print(f"{now - self.start:5.0f} s  {describe_progress(stops, status)}", flush=True)
 
     def has_stalled(self):
-        return time.monotonic() - self.changed > STALL_S
+        return self.clock() - self.changed > STALL_S
 
 
 def last_stop(log):

@@ -2,7 +2,6 @@
 robot's frames after the other's, none of which ever joins another."""
 
 import argparse
-import os
 import pathlib
 import signal
 import subprocess
