@@ -53,7 +53,7 @@ std::map<std::string, Names> ImageBases(const std::vector<PublishedTopic>& topic
 std::optional<ImageTopic> GuessImageTopic(const std::vector<PublishedTopic>& topics,
                                           const std::vector<std::string>& previews,
                                           const std::string& transport) {
-  const auto bases = ImageBases(topics, own);
+  const auto bases = ImageBases(topics, previews);
   Names names;
   for (const auto& [base, transports] : bases) names.insert(base);
   const auto base = TheOnlyOne(names, "sensor_msgs/Image or CompressedImage", "image");
