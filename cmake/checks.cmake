@@ -4,6 +4,10 @@ add_test(NAME check_layers_test COMMAND ${PROJECT_SOURCE_DIR}/test/scripts/check
 add_test(NAME check_format COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_format)
 add_test(NAME check_docs COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_docs)
 
+foreach(SCRIPT demo teleop_keys workspace)
+  add_test(NAME ${SCRIPT}_test COMMAND ${PROJECT_SOURCE_DIR}/test/scripts/${SCRIPT}_test.py)
+endforeach()
+
 # In sanitized builds: what reads untrusted bytes (the robot's replies, requests to the simulated one,
 # files), with its tests and no more than it needs, so that the build takes a minute.
 if(ROVIO_SANITIZE STREQUAL "address")
@@ -13,32 +17,21 @@ if(ROVIO_SANITIZE STREQUAL "address")
   set(PARSER_SOURCES util/check util/check_options util/option_text util/rng geometry/camera ${PARSERS})
   list(TRANSFORM PARSER_SOURCES REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/src/\\1.cc")
   list(TRANSFORM PARSERS REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/test/\\1_test.cc")
-  add_executable(parser_test ${PARSER_SOURCES} ${PARSERS})
-  rovio_compile_options(parser_test)
-  target_compile_options(parser_test PRIVATE -O0)
-  target_include_directories(parser_test PRIVATE ${PROJECT_SOURCE_DIR}/include
-                                                 ${PROJECT_SOURCE_DIR}/test)
-  target_compile_definitions(parser_test PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  target_link_libraries(parser_test PRIVATE Eigen3::Eigen ${OPENCV} PkgConfig::YAMLCPP
-                                            GTest::gtest GTest::gtest_main)
-  add_test(NAME parser_test COMMAND parser_test)
+  rovio_test_program(parser_test SOURCES ${PARSER_SOURCES} ${PARSERS}
+                     LINKS Eigen3::Eigen ${OPENCV} PkgConfig::YAMLCPP GTest::gtest GTest::gtest_main)
+  target_compile_options(rovio_sfm_parser_test PRIVATE -O0)
+  target_include_directories(rovio_sfm_parser_test PRIVATE ${PROJECT_SOURCE_DIR}/include)
+  add_test(NAME parser_test COMMAND rovio_sfm_parser_test)
 endif()
 
 # One seeded benchmark per stage: test/benchmark/STAGE_benchmark.cc, all in one program (not a test).
 file(GLOB BENCHMARKS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/benchmark/*_benchmark.cc)
-if(BENCHMARKS)
-  add_executable(benchmarks ${BENCHMARKS})
-  rovio_compile_options(benchmarks)
-  target_include_directories(benchmarks PRIVATE ${PROJECT_SOURCE_DIR}/test)
-  target_compile_definitions(benchmarks PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  target_link_libraries(benchmarks PRIVATE rovio_app rovio_synthetic benchmark::benchmark_main)
-endif()
+rovio_test_program(benchmarks SOURCES ${BENCHMARKS}
+                   LINKS rovio_app rovio_synthetic benchmark::benchmark_main)
 # What a benchmark of one function cannot show: costs as a drive, or the number of drives, grows.
 foreach(PROGRAM picture_cost many_merges)
-  add_executable(${PROGRAM} ${PROJECT_SOURCE_DIR}/test/benchmark/${PROGRAM}.cc)
-  rovio_compile_options(${PROGRAM})
-  target_include_directories(${PROGRAM} PRIVATE ${PROJECT_SOURCE_DIR}/test)
-  target_link_libraries(${PROGRAM} PRIVATE rovio_app rovio_synthetic)
+  rovio_test_program(${PROGRAM} SOURCES ${PROJECT_SOURCE_DIR}/test/benchmark/${PROGRAM}.cc
+                     LINKS rovio_app rovio_synthetic)
 endforeach()
 
 # The nodes, each against its neighbours over a real master: test/ros/*.test. Wiring only.

@@ -8,13 +8,15 @@ find_package(CURL REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(CLI11 REQUIRED)
-find_package(GTest REQUIRED)
-find_package(benchmark REQUIRED)
 find_package(nlohmann_json 3 REQUIRED)
 pkg_check_modules(YAMLCPP REQUIRED IMPORTED_TARGET yaml-cpp)
 pkg_check_modules(SQLITE3 REQUIRED IMPORTED_TARGET sqlite3)
 pkg_check_modules(DLIB REQUIRED IMPORTED_TARGET dlib-1)
 pkg_check_modules(OPENBLAS REQUIRED IMPORTED_TARGET openblas)
+if(CATKIN_ENABLE_TESTING)
+  find_package(GTest REQUIRED)
+  find_package(benchmark REQUIRED)
+endif()
 if(ROVIO_WITH_ROS)
   # catkin remembers, for node tests, the folders that exist now: that of our Python messages too.
   if(NOT CATKIN_DEVEL_PREFIX)
@@ -22,7 +24,7 @@ if(ROVIO_WITH_ROS)
   endif()
   file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/python3/dist-packages)
   find_package(catkin REQUIRED COMPONENTS
-    actionlib camera_info_manager cv_bridge diagnostic_updater dynamic_reconfigure geometry_msgs
-    image_transport message_generation nav_msgs rosbag roscpp sensor_msgs std_msgs tf2_eigen
-    tf2_geometry_msgs tf2_ros visualization_msgs)
+    camera_info_manager cv_bridge diagnostic_updater dynamic_reconfigure geometry_msgs
+    image_transport message_generation nav_msgs rosbag roscpp sensor_msgs std_msgs tf2 tf2_eigen
+    tf2_msgs tf2_ros visualization_msgs)
 endif()

@@ -8,7 +8,7 @@ rovio_library(scene LINKS rovio_geometry TEST_LINKS rovio_synthetic)
 # A synthetic world for the tests of every layer above scene.
 file(GLOB SYNTHETIC CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/synthetic/*.cc)
 list(FILTER SYNTHETIC EXCLUDE REGEX "_test\\.cc$")
-if(SYNTHETIC)
+if(SYNTHETIC AND CATKIN_ENABLE_TESTING)
   add_library(rovio_synthetic STATIC ${SYNTHETIC})
   rovio_compile_options(rovio_synthetic)
   target_include_directories(rovio_synthetic PUBLIC ${PROJECT_SOURCE_DIR}/test)
@@ -37,12 +37,11 @@ rovio_library(merging     LINKS rovio_mapping TEST_LINKS rovio_synthetic)
 rovio_library(report      LINKS ${STEPS} TEST_LINKS rovio_synthetic)
 rovio_library(app         LINKS rovio_frontend rovio_recognition rovio_merging rovio_report
                                 rovio_rovio CLI11::CLI11 TEST_LINKS rovio_synthetic)
-target_compile_definitions(rovio_app PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-rovio_library(tools       LINKS rovio_app nlohmann_json::nlohmann_json TEST_LINKS rovio_synthetic)
-target_compile_definitions(rovio_tools PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+rovio_library(tools/trajectory LINKS rovio_app nlohmann_json::nlohmann_json TEST_LINKS rovio_synthetic)
+rovio_library(tools       LINKS rovio_tools_trajectory nlohmann_json::nlohmann_json TEST_LINKS rovio_synthetic)
 if(ROVIO_WITH_ROS)
   rovio_library(ros       LINKS rovio_app ${catkin_LIBRARIES} TEST_LINKS rovio_synthetic)
-  add_dependencies(rovio_ros ${${PROJECT_NAME}_EXPORTED_TARGETS})  # generated headers
+  add_dependencies(rovio_ros ${PROJECT_NAME}_generate_messages_cpp)  # no other language
 endif()
 
 # The simulated robot stands apart and shares nothing with rovio/.
@@ -52,4 +51,3 @@ rovio_library(sim/robot LINKS rovio_sim_world)
 rovio_library(sim/tour  LINKS rovio_sim_robot)
 rovio_library(sim/http  LINKS rovio_sim_robot)
 rovio_library(sim       LINKS rovio_sim_tour rovio_sim_http CLI11::CLI11)
-target_compile_definitions(rovio_sim PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -3,19 +3,26 @@
 import http.client
 import math
 import os
+import re
 import signal
 import socket
 import subprocess
 import threading
 import time
 
+from demo_pictures import coloured_share
+
 TRUTH_PERIOD_S = 0.04
 KINDS = ("merge", "loop", "seed")
 VERDICTS = ("waits", "accepted", "provisional", "refused", "undone")
+HANG_S = 900  # a call that takes longer hangs, however slow the machine
+STALL_S = 60  # without any progress
+TELL_PERIOD_S = 10
+STOP = re.compile(r"stop (\d+) of (\d+)|the tour is done: (\d+) stops")
 KEYFRAMES_BEFORE_PICTURE = 60  # of the first robot: it comes near the place where they meet
 
 
-def run(*command, timeout_s=60, check=True):
+def run(*command, timeout_s=HANG_S, check=True):
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True,
                           timeout=timeout_s, check=False)
     if check and done.returncode != 0:
@@ -42,7 +49,7 @@ def free_ports(count):
             return first
 
 
-def wait_for(what, ready, graph, timeout_s=120):
+def wait_for(what, ready, graph, timeout_s=HANG_S):
     deadline = time.monotonic() + timeout_s
     while time.monotonic() < deadline:
         graph.require_alive()
@@ -78,6 +85,47 @@ class Graph:
             except subprocess.TimeoutExpired:
                 self.process.kill()
         self.log.close()
+
+
+class Progress:
+    """What has been reached: stops, frames, maps. Tells it every ten seconds, and knows since when
+    nothing more has been."""
+
+    def __init__(self, start, tour_logs, clock=time.monotonic):
+        self.start, self.tour_logs = start, tour_logs  # tour_logs: {robot: log of its drive_tour}
+        self.clock, self.reached = clock, None
+        self.changed = self.told = clock()
+
+    def look(self, status):
+        """Takes in the newest map_status, None before the first. Call often."""
+        now = self.clock()
+        stops = {robot: last_stop(log) for robot, log in self.tour_logs.items()}
+        reached = stops, status and (status.num_events, [s.num_frames for s in status.sessions])
+        if reached != self.reached:
+            self.reached, self.changed = reached, now
+        if now - self.told >= TELL_PERIOD_S:
+            self.told = now
+            print(f"{now - self.start:5.0f} s  {describe_progress(stops, status)}", flush=True)
+
+    def has_stalled(self):
+        return self.clock() - self.changed > STALL_S
+
+
+def last_stop(log):
+    """The newest "N of M" of a tour's log; empty before the first."""
+    found = list(STOP.finditer(log.read_text(errors="replace"))) if log.exists() else []
+    if not found:
+        return ""
+    return f"{found[-1][1]} of {found[-1][2]}" if found[-1][1] else f"{found[-1][3]} of {found[-1][3]}"
+
+
+def describe_progress(stops, status):
+    parts = [f"{robot} at stop {stop}" for robot, stop in stops.items() if stop]
+    if status:
+        maps = [entry for entry in status.maps if entry.num_frames > 0]
+        parts.append(f"{status.num_events} frames, {len(maps)} map{'s' * (len(maps) != 1)} with "
+                     f"{sum(entry.num_landmarks for entry in maps)} landmarks")
+    return "; ".join(parts) or "the robots look round"
 
 
 class TruthRecorder(threading.Thread):
@@ -132,6 +180,7 @@ class MergeWatch:
         from rovio_sfm.msg import MapStatus
         self.start, self.pictures, self.status = start, pictures, None
         self.told, self.lines, self.has_picture_before = {}, [], False
+        self.shares = {}  # picture: share of its view that has a colour
         rospy.init_node("demo", anonymous=True, disable_signals=True)
         self.subscriber = rospy.Subscriber("/map_status", MapStatus, self.keep, queue_size=10)
 
@@ -159,9 +208,9 @@ class MergeWatch:
         if merge.kind != merge.LOOP:  # further overlaps of one map are many
             print(line, flush=True)
 
-    def final_status(self, num_sessions, timeout_s=30):
+    def final_status(self, num_sessions):
         """The status after all sessions are over."""
-        deadline = time.monotonic() + timeout_s
+        deadline = time.monotonic() + HANG_S
         while time.monotonic() < deadline:
             status = self.status
             if status and sum(s.state >= s.FINISHED for s in status.sessions) >= num_sessions:
@@ -180,4 +229,6 @@ class MergeWatch:
             return
         path = self.pictures / name
         run("import", "-window", "root", "+dither", "-colors", "96", f"PNG8:{path}")
-        print(f"picture {path.resolve()}")
+        self.shares[name] = coloured_share(path)
+        print(f"picture {path.resolve()}: {100 * self.shares[name]:.1f} % of the view has a colour",
+              flush=True)

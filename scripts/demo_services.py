@@ -8,8 +8,7 @@ from demo_graph import run
 
 def call(service, **request):
     """The reply of a service, asked by rosservice."""
-    return yaml.safe_load(run("rosservice", "call", service, yaml.safe_dump(request, default_flow_style=True),
-                              timeout_s=180))
+    return yaml.safe_load(run("rosservice", "call", service, yaml.safe_dump(request, default_flow_style=True)))
 
 
 def count_maps(sessions):

@@ -2,9 +2,10 @@
 
 #include <filesystem>
 #include <stdexcept>
-#include <vector>
+#include <string>
 
 #include "rovio_sfm/app/place_model_file.h"
+#include "rovio_sfm/util/package_file.h"
 
 namespace rovio_sfm {
 namespace {
@@ -13,20 +14,9 @@ namespace fs = std::filesystem;
 
 constexpr char kShipped[] = "config/places/indoor.places";
 
-// The shipped file of an installed program (PREFIX/lib/rovio_sfm/PROGRAM) or of the sources.
 fs::path FindShipped() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  std::vector<fs::path> folders;
-  if (!error) {
-    const fs::path prefix = program.parent_path().parent_path().parent_path();
-    folders = {prefix / "share/rovio_sfm", prefix.parent_path()};
-  }
-  folders.push_back(ROVIO_SOURCE_DIR);
-  for (const fs::path& folder : folders) {
-    if (fs::exists(folder / kShipped, error)) return folder / kShipped;
-  }
-  throw std::runtime_error(std::string("no ") + kShipped +
+  if (const auto file = FindPackageFile(kShipped)) return *file;
+  throw std::runtime_error(std::string("no share/rovio_sfm/") + kShipped +
                            " beside this program; name a place model, or none");
 }
 

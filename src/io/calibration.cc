@@ -29,22 +29,35 @@ T Value(const YAML::Node& node, const std::filesystem::path& path, const std::st
 }
 
 std::vector<double> Matrix(const YAML::Node& root, const std::filesystem::path& path,
-                           const std::string& key, size_t size) {
+                           const std::string& key, size_t min_size, size_t max_size) {
   const YAML::Node matrix = Value<YAML::Node>(root, path, key);
   if (!matrix.IsMap()) Fail(path, "key " + key + ": expected rows, cols and data");
   const auto data = Value<std::vector<double>>(matrix, path, "data");
-  if (data.size() != size) {
-    Fail(path, "key " + key + ": expected " + std::to_string(size) + " values, got " +
+  if (data.size() < min_size || data.size() > max_size) {
+    Fail(path, "key " + key + ": expected " + std::to_string(min_size) + " values, got " +
                    std::to_string(data.size()));
   }
   return data;
 }
 
+// k1 k2 p1 p2 k3. What a rational polynomial adds stands behind them.
+std::vector<double> Distortion(const YAML::Node& root, const std::filesystem::path& path) {
+  std::vector<double> d = Matrix(root, path, "distortion_coefficients", 4, 14);
+  for (size_t i = 5; i < d.size(); ++i) {
+    if (d[i] == 0.0) continue;
+    Fail(path, "key distortion_coefficients: expected at most 5 values that are not zero");
+  }
+  d.resize(5, 0.0);
+  return d;
+}
+
 Camera CameraFromYaml(const YAML::Node& root, const std::filesystem::path& path) {
   const auto model = Value<std::string>(root, path, "distortion_model");
-  if (model != "plumb_bob") Fail(path, "key distortion_model: expected plumb_bob, got " + model);
-  const std::vector<double> k = Matrix(root, path, "camera_matrix", 9);
-  const std::vector<double> d = Matrix(root, path, "distortion_coefficients", 5);
+  if (model != "plumb_bob" && model != "rational_polynomial") {
+    Fail(path, "key distortion_model: expected plumb_bob, got " + model);
+  }
+  const std::vector<double> k = Matrix(root, path, "camera_matrix", 9, 9);
+  const std::vector<double> d = Distortion(root, path);
   Camera camera;
   camera.fx = k[0], camera.cx = k[2], camera.fy = k[4], camera.cy = k[5];
   camera.k1 = d[0], camera.k2 = d[1], camera.p1 = d[2], camera.p2 = d[3], camera.k3 = d[4];
@@ -93,6 +106,11 @@ Camera ReadCameraInfo(const std::filesystem::path& path) {
   std::string error;
   if (!camera.IsValid(&error)) Fail(path, error);
   return camera;
+}
+
+Camera ReadCamera(const std::filesystem::path& path) {
+  const bool is_yaml = path.extension() == ".yaml" || path.extension() == ".yml";
+  return is_yaml ? ReadCameraInfo(path) : ReadCalibrationText(path);
 }
 
 std::string CameraInfoYaml(const Camera& c, const std::string& camera_name) {

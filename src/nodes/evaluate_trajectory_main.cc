@@ -1,7 +1,7 @@
 #include <exception>
 #include <iostream>
 
-#include "rovio_sfm/tools/evaluate_trajectory.h"
+#include "rovio_sfm/tools/trajectory/evaluate_trajectory.h"
 
 int main(int argc, char** argv) {
   try {

@@ -10,6 +10,7 @@
 
 #include "rovio_sfm/report/level_session.h"
 #include "rovio_sfm/ros/map_frames.h"
+#include "rovio_sfm/ros/markers.h"
 
 namespace rovio_sfm {
 namespace {
@@ -19,14 +20,6 @@ using Color = std::array<float, 3>;
 
 constexpr double kStepShare = 0.5;     // depth of a frustum: of the median step, at least ...
 constexpr double kExtentShare = 0.04;  // ... of the path's extent
-
-// The colours of sessions, again from the start when there are more.
-constexpr std::array<Color, 6> kSessionColors = {{{0.12f, 0.47f, 0.71f},
-                                                  {1.0f, 0.5f, 0.05f},
-                                                  {0.17f, 0.63f, 0.17f},
-                                                  {0.84f, 0.15f, 0.16f},
-                                                  {0.58f, 0.4f, 0.74f},
-                                                  {0.55f, 0.34f, 0.29f}}};
 
 constexpr Color kAcceptedColor = {0.2f, 1.0f, 1.0f};
 constexpr Color kProvisionalColor = {1.0f, 0.2f, 1.0f};
@@ -124,8 +117,7 @@ Marker Frusta(const SessionSnapshot& session, const ros::Time& stamp) {
   const std::vector<Rigid3> poses = LevelFromKeyframes(session);
   if (poses.empty()) return NoLines(session.id, kFrusta, stamp);
   const double depth = FrustumDepth(poses);
-  const Color& color = kSessionColors[(session.id.value - 1) % kSessionColors.size()];
-  Marker marker = Lines(session, kFrusta, color, kLineShare * depth, stamp);
+  Marker marker = Lines(session, kFrusta, SessionColor(session.id), kLineShare * depth, stamp);
   for (const Rigid3& pose : poses) AddFrustum(pose, session.camera, depth, &marker);
   return marker;
 }
@@ -208,10 +200,7 @@ visualization_msgs::MarkerArray CameraMarkers(const MapSnapshot& snapshot,
   }
   const auto parts = ChangedCameraMarkers(snapshot, merges, all, stamp).markers;
   visualization_msgs::MarkerArray markers;
-  Marker clear;  // whatever the listener drew before
-  clear.action = Marker::DELETEALL;
-  clear.header.frame_id = MapFrame();
-  markers.markers.push_back(clear);
+  markers.markers.push_back(ClearMarkers(stamp));
   std::copy_if(parts.begin(), parts.end(), std::back_inserter(markers.markers),
                [](const Marker& marker) { return marker.action == Marker::ADD; });
   return markers;

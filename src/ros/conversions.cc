@@ -1,6 +1,7 @@
 #include "rovio_sfm/ros/conversions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -43,6 +44,45 @@ geometry_msgs::Quaternion ToQuaternion(const Eigen::Quaterniond& q) {
 double YawOf(const Eigen::Quaterniond& q) {
   return std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()),
                     1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
+}
+
+using PlumbBob = std::array<double, 5>;  // k1 k2 p1 p2 k3
+
+// What a rational polynomial adds are k4, k5, k6 and more behind the five of a plumb bob: the two
+// are one where those are zero.
+std::optional<PlumbBob> PlumbBobOf(const sensor_msgs::CameraInfo& message, std::string* error) {
+  const std::string& model = message.distortion_model;
+  const bool is_known = model == "plumb_bob" || model == "rational_polynomial";
+  const auto beyond =
+      message.D.begin() + static_cast<std::ptrdiff_t>(std::min<size_t>(5, message.D.size()));
+  const bool is_plumb_bob =
+      std::all_of(beyond, message.D.end(), [](double value) { return value == 0.0; });
+  if ((!is_known && !message.D.empty()) || !is_plumb_bob) {
+    return RefuseMessage<PlumbBob>("camera_info distortion_model " + model + " with " +
+                                       std::to_string(message.D.size()) +
+                                       " numbers in D: expected plumb_bob, at most 5 not zero",
+                                   error);
+  }
+  PlumbBob d{};
+  std::copy(message.D.begin(), beyond, d.begin());
+  return d;
+}
+
+// A region of interest of zeros, or of the whole image, is none.
+bool ShowsWholeImage(const sensor_msgs::CameraInfo& message, std::string* error) {
+  const sensor_msgs::RegionOfInterest& roi = message.roi;
+  const bool is_none = roi.width == 0 && roi.height == 0;
+  const bool is_whole = roi.width == message.width && roi.height == message.height;
+  const bool has_offset = roi.x_offset != 0 || roi.y_offset != 0;
+  if (message.binning_x <= 1 && message.binning_y <= 1 && (is_none || is_whole) && !has_offset) {
+    return true;
+  }
+  *error = "camera_info roi " + std::to_string(roi.width) + "x" + std::to_string(roi.height) + "+" +
+           std::to_string(roi.x_offset) + "+" + std::to_string(roi.y_offset) + ", binning " +
+           std::to_string(message.binning_x) + "x" + std::to_string(message.binning_y) +
+           ": expected the whole image, " + std::to_string(message.width) + "x" +
+           std::to_string(message.height);
+  return false;
 }
 
 }  // namespace
@@ -122,27 +162,19 @@ std::optional<Camera> FromMessage(const CameraMsg& message, std::string* error) 
 std::optional<Camera> FromCameraInfo(const sensor_msgs::CameraInfo& message, std::string* error) {
   if (message.K[0] == 0.0)
     return RefuseMessage<Camera>("camera_info K: uncalibrated (zeros)", error);
-  if (message.distortion_model != "plumb_bob" && !message.D.empty()) {
-    return RefuseMessage<Camera>("camera_info distortion_model: expected plumb_bob", error);
-  }
-  if (message.D.size() > 5)
-    return RefuseMessage<Camera>("camera_info D: expected 5 numbers", error);
-  if (message.binning_x > 1 || message.binning_y > 1 || message.roi.width > 0) {
-    return RefuseMessage<Camera>("camera_info binning or roi: only whole images are understood",
-                                 error);
-  }
-  std::array<double, 5> d{};
-  std::copy(message.D.begin(), message.D.end(), d.begin());
+  const std::optional<PlumbBob> d = PlumbBobOf(message, error);
+  if (!d) return std::nullopt;
+  if (!ShowsWholeImage(message, error)) return std::nullopt;
   CameraMsg camera;
   camera.fx_px = message.K[0];
   camera.fy_px = message.K[4];
   camera.cx_px = message.K[2];
   camera.cy_px = message.K[5];
-  camera.k1 = d[0];
-  camera.k2 = d[1];
-  camera.p1 = d[2];
-  camera.p2 = d[3];
-  camera.k3 = d[4];
+  camera.k1 = (*d)[0];
+  camera.k2 = (*d)[1];
+  camera.p1 = (*d)[2];
+  camera.p2 = (*d)[3];
+  camera.k3 = (*d)[4];
   camera.width = message.width;
   camera.height = message.height;
   return FromMessage(camera, error);

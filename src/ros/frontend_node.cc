@@ -1,12 +1,12 @@
 #include "rovio_sfm/ros/frontend_node.h"
 
 #include <cv_bridge/cv_bridge.h>
-#include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 
 #include <utility>
 
 #include "rovio_sfm/frontend/draw_matches.h"
+#include "rovio_sfm/io/calibration.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/frame_event_message.h"
 #include "rovio_sfm/ros/image_bytes.h"
@@ -39,6 +39,7 @@ FrontendNode::FrontendNode(const FrontendNodeOptions& options, uint32_t nonce, r
       gate_(options.gate, &sensors_),
       history_(kHistoryEvents, kHistoryBytes),
       frontend_(options.frontend, options.robot, options.seed, nonce),
+      subscribers_(options.topics, options.calibration_file.empty(), node, Callbacks()),
       diagnostics_(node, private_node),
       thresholds_(thresholds_mutex_, ros::NodeHandle(private_node, topics::kThresholds)),
       worker_(kImageQueue, WhenFull::kDropOldest, [this](const Job& job) { Handle(job); }) {
@@ -46,8 +47,8 @@ FrontendNode::FrontendNode(const FrontendNodeOptions& options, uint32_t nonce, r
   diagnostics_.add("images to frames", this, &FrontendNode::Diagnose);
   thresholds_.setCallback(
       [this](FrontendThresholdsConfig& t, uint32_t level) { OnThresholds(t, level); });
+  if (!options_.calibration_file.empty()) sensors_.SetCamera(ReadCamera(options_.calibration_file));
   Advertise();
-  Subscribe();
 }
 
 FrontendNode::~FrontendNode() { worker_.Finish(); }
@@ -59,17 +60,13 @@ void FrontendNode::Advertise() {
   get_frames_ = node_.advertiseService(topics::kGetFrames, &FrontendNode::GetFrames, this);
 }
 
-void FrontendNode::Subscribe() {
-  info_subscriber_ = node_.subscribe(topics::kCameraInfo, topics::kCameraInfoQueue,
-                                     &FrontendNode::OnCameraInfo, this);
-  odom_subscriber_ =
-      node_.subscribe(topics::kOdom, topics::kOdomQueue, &FrontendNode::OnOdometry, this);
-  image_subscriber_ =
-      options_.compressed
-          ? node_.subscribe(topics::kImageCompressed, topics::kImageQueue,
-                            &FrontendNode::OnImage<sensor_msgs::CompressedImage>, this)
-          : node_.subscribe(topics::kImageRaw, topics::kImageQueue,
-                            &FrontendNode::OnImage<sensor_msgs::Image>, this);
+CameraCallbacks FrontendNode::Callbacks() {
+  CameraCallbacks callbacks;
+  callbacks.on_compressed = [this](const auto& message) { OnImage(message); };
+  callbacks.on_image = [this](const auto& message) { OnImage(message); };
+  callbacks.on_camera_info = [this](const auto& message) { OnCameraInfo(message); };
+  callbacks.on_odometry = [this](const auto& message) { OnOdometry(message); };
+  return callbacks;
 }
 
 template <typename Message>
@@ -117,6 +114,7 @@ void FrontendNode::OnThresholds(FrontendThresholdsConfig& thresholds, uint32_t l
 }
 
 void FrontendNode::Tick() {
+  subscribers_.Search();
   ReleaseImages();
   diagnostics_.update();
 }

@@ -3,13 +3,16 @@
 #include <geometry_msgs/PoseStamped.h>
 
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "rovio_sfm/report/level_session.h"
+#include "rovio_sfm/ros/apart_markers.h"
 #include "rovio_sfm/ros/camera_markers.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/map_frames.h"
 #include "rovio_sfm/ros/map_messages.h"
+#include "rovio_sfm/ros/path_markers.h"
 #include "rovio_sfm/ros/topics.h"
 
 namespace rovio_sfm {
@@ -22,6 +25,12 @@ std::string TopicOf(const CloudPlace& place) {
   return place.is_root ? topics::kCloud : topics::kCloudPrefix + std::to_string(place.map.value);
 }
 
+size_t CountMaps(const MapSnapshot& snapshot) {
+  std::set<MapId> maps;
+  for (const SessionSnapshot& session : snapshot.sessions) maps.insert(session.map);
+  return maps.size();
+}
+
 }  // namespace
 
 MapPublisher::MapPublisher(ros::NodeHandle node, double cloud_period_s)
@@ -31,12 +40,24 @@ MapPublisher::MapPublisher(ros::NodeHandle node, double cloud_period_s)
   keyframe_pose_ =
       node_.advertise<geometry_msgs::PoseStamped>(topics::kKeyframePose, topics::kPoseQueue);
   status_ = node_.advertise<MapStatus>(topics::kMapStatus, topics::kMapQueue, kLatched);
+  AdvertiseMarkers();
+  CloudOutput(kRootCloud);
+}
+
+void MapPublisher::AdvertiseMarkers() {
   cameras_ = node_.advertise<visualization_msgs::MarkerArray>(
-      topics::kCameras, topics::kCamerasQueue,
+      topics::kCameras, topics::kMarkersQueue,
       [this](const ros::SingleSubscriberPublisher& listener) {
         listener.publish(CameraMarkers(*shown_.snapshot, *shown_.merges, ros::Time::now()));
       });
-  CloudOutput(kRootCloud);
+  path_lines_ = node_.advertise<visualization_msgs::MarkerArray>(
+      topics::kPaths, topics::kMarkersQueue,
+      [this](const ros::SingleSubscriberPublisher& listener) {
+        listener.publish(PathMarkers(*shown_.snapshot, ros::Time::now()));
+      });
+  Advertise<visualization_msgs::MarkerArray>(
+      topics::kMapsApart,
+      [this] { return ApartMarkers(*shown_clouds_.snapshot, ros::Time::now()); }, &apart_);
 }
 
 // A new listener is sent the message that is latched, and the newest where that is another.
@@ -129,6 +150,10 @@ void MapPublisher::PublishSessions(const MapPicture& picture) {
       Send<nav_msgs::Path>([this, id] { return NewestPath(id); }, &PathOutput(id));
     }
   }
+  if (path_lines_.getNumSubscribers() > 0) {
+    const auto lines = ChangedPathMarkers(*picture.snapshot, changes, ros::Time::now());
+    if (!lines.markers.empty()) path_lines_.publish(lines);
+  }
   if (cameras_.getNumSubscribers() == 0) return;
   const auto markers =
       ChangedCameraMarkers(*picture.snapshot, *picture.merges, changes, ros::Time::now());
@@ -146,6 +171,13 @@ void MapPublisher::PublishClouds(const MapPicture& picture) {
                                      &CloudOutput(place));
     }
   }
+  const bool has_changed = !changes.clouds.empty() || !changes.gone.empty();
+  const bool is_apart = CountMaps(*picture.snapshot) > 1;
+  if (has_changed && (is_apart || shows_apart_)) {
+    Send<visualization_msgs::MarkerArray>(
+        [this] { return ApartMarkers(*shown_clouds_.snapshot, ros::Time::now()); }, &apart_);
+  }
+  shows_apart_ = is_apart;
 }
 
 void MapPublisher::PublishPose(const MapPicture& picture, SessionId id, uint32_t index) {

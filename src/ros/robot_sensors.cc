@@ -39,17 +39,20 @@ bool RobotSensors::OdometryCovers(const RawImage& image) const {
 
 bool RobotSensors::KnowsHead(const RawImage& image) const { return HeadAt(image).has_value(); }
 
+const std::string& RobotSensors::CameraFrameOf(const RawImage& image) const {
+  return options_.camera_frame.empty() ? image.camera_frame : options_.camera_frame;
+}
+
 std::optional<Rigid3> RobotSensors::HeadAt(const RawImage& image) const {
+  const std::string& camera_frame = CameraFrameOf(image);
   const int64_t taken_ns = image.stamp_ns - DurationNs(options_.image_latency_s);
   const ros::Time taken = ToTime(taken_ns);
-  if (image.camera_frame.empty()) return std::nullopt;  // tf2 complains aloud about empty names
-  if (!transforms_->canTransform(options_.base_frame, image.camera_frame, taken))
-    return std::nullopt;
+  if (camera_frame.empty()) return std::nullopt;  // tf2 complains aloud about empty names
+  if (!transforms_->canTransform(options_.base_frame, camera_frame, taken)) return std::nullopt;
   try {
     std::string error;
     return FromTransform(
-        transforms_->lookupTransform(options_.base_frame, image.camera_frame, taken).transform,
-        &error);
+        transforms_->lookupTransform(options_.base_frame, camera_frame, taken).transform, &error);
   } catch (const tf2::TransformException&) {  // forgotten between the two calls
     return std::nullopt;
   }
@@ -60,7 +63,7 @@ ImageEvent RobotSensors::MakeEvent(const RawImage& image) const {
   ImageEvent event;
   event.stamp_ns = image.stamp_ns;
   event.name = image.name;
-  event.camera_frame = image.camera_frame;
+  event.camera_frame = CameraFrameOf(image);
   event.encoded = image.bytes;
   event.camera = *camera_;
   event.odometry = odometry_.At(event.stamp_ns - DurationNs(options_.image_latency_s));

@@ -1,8 +1,10 @@
 #include "rovio_sfm/sim/config_folder.h"
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
-#include <vector>
+
+#include "rovio_sfm/util/package_file.h"
 
 namespace rovio_sfm::sim {
 namespace {
@@ -14,34 +16,18 @@ bool IsConfigFolder(const fs::path& folder) {
   return fs::is_directory(folder / "worlds", error) && fs::is_directory(folder / "tours", error);
 }
 
-void AddParents(fs::path folder, const fs::path& suffix, std::vector<fs::path>* candidates) {
-  for (int level = 0; level < 6; ++level) {
-    candidates->push_back(folder / suffix);
-    if (!folder.has_parent_path() || folder == folder.parent_path()) return;
-    folder = folder.parent_path();
-  }
-}
-
 }  // namespace
 
 std::string FindConfigFolder(const std::string& asked) {
-  std::vector<fs::path> candidates;
-  if (!asked.empty()) {
-    candidates.push_back(asked);
-  } else {
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    if (!error) AddParents(program.parent_path(), "share/rovio_sfm/config", &candidates);
-    if (!error) AddParents(program.parent_path(), "config", &candidates);
-    AddParents(fs::current_path(error), "config", &candidates);
-    candidates.push_back(ROVIO_SOURCE_DIR "/config");
+  const std::optional<fs::path> shipped = FindPackageFile("config");
+  const std::string folder = asked.empty() && shipped ? shipped->string() : asked;
+  if (folder.empty()) {
+    throw std::runtime_error("no share/rovio_sfm/config beside this program; name a folder");
   }
-  std::string tried;
-  for (const fs::path& candidate : candidates) {
-    if (IsConfigFolder(candidate)) return candidate.string();
-    tried += "\n  " + candidate.string();
+  if (!IsConfigFolder(folder)) {
+    throw std::runtime_error(folder + ": expected a folder with worlds/ and tours/");
   }
-  throw std::runtime_error("no folder with worlds/ and tours/; looked at" + tried);
+  return folder;
 }
 
 }  // namespace rovio_sfm::sim

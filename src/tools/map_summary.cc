@@ -10,8 +10,8 @@
 #include "rovio_sfm/report/evaluation.h"
 #include "rovio_sfm/report/level_map.h"
 #include "rovio_sfm/report/map_statistics.h"
-#include "rovio_sfm/tools/evaluation_json.h"
 #include "rovio_sfm/tools/merges_json.h"
+#include "rovio_sfm/tools/trajectory/evaluation_json.h"
 
 namespace rovio_sfm {
 namespace {

@@ -36,6 +36,23 @@ TEST(CameraInfo, RoundTrips) {
   EXPECT_EQ(ReadCameraInfo(folder.Write("camera.yaml", CameraInfoYaml(camera, "fr1"))), camera);
 }
 
+TEST(ReadCamera, TellsTheFormatByTheName) {
+  const TemporaryFolder folder;
+  const Camera camera = ReadCamera(folder.Write("calibration.txt", kFreiburg1));
+  EXPECT_EQ(ReadCamera(folder.Write("camera.yml", CameraInfoYaml(camera, "fr1"))), camera);
+}
+
+TEST(ReadCameraInfo, TakesEightCoefficientsOfWhichTheLastAreZero) {
+  const TemporaryFolder folder;
+  const Camera camera = ReadCalibrationText(folder.Write("calibration.txt", kFreiburg1));
+  std::string yaml = CameraInfoYaml(camera, "fr1");
+  const size_t distortion = yaml.find("distortion_coefficients");
+  yaml.insert(yaml.find(']', distortion), ", 0.0, 0.0, 0.0");
+  EXPECT_EQ(ReadCameraInfo(folder.Write("camera.yaml", yaml)), camera);
+  yaml.replace(yaml.find(", 0.0, 0.0, 0.0]", distortion), 5, ", 0.5");
+  EXPECT_NE(MessageOf([&] { ReadCameraInfo(folder.Write("camera.yaml", yaml)); }), "");
+}
+
 TEST(ReadCameraInfo, NamesTheKeyThatIsWrong) {
   const TemporaryFolder folder;
   Camera camera;

@@ -50,6 +50,34 @@ TEST(Conversions, FisheyeCameraInfoIsRefused) {
   EXPECT_FALSE(FromCameraInfo(info, &error));
 }
 
+TEST(Conversions, EightCoefficientsOfWhichTheLastAreZeroAreAPlumbBob) {
+  sensor_msgs::CameraInfo info = ToCameraInfo(SomeCamera(), 5, "optical");
+  info.D.resize(8, 0.0);
+  std::string error;
+  for (const char* model : {"plumb_bob", "rational_polynomial"}) {
+    info.distortion_model = model;
+    const auto camera = FromCameraInfo(info, &error);
+    ASSERT_TRUE(camera) << error;
+    EXPECT_EQ(*camera, SomeCamera());
+  }
+  info.D[6] = 0.1;
+  EXPECT_FALSE(FromCameraInfo(info, &error));
+  EXPECT_EQ(error,
+            "camera_info distortion_model rational_polynomial with 8 numbers in D: expected "
+            "plumb_bob, at most 5 not zero");
+}
+
+TEST(Conversions, RegionOfTheWholeImageIsNone) {
+  sensor_msgs::CameraInfo info = ToCameraInfo(SomeCamera(), 5, "optical");
+  info.roi.width = info.width;
+  info.roi.height = info.height;
+  std::string error;
+  EXPECT_TRUE(FromCameraInfo(info, &error)) << error;
+  info.roi.height -= 1;
+  EXPECT_FALSE(FromCameraInfo(info, &error));
+  EXPECT_NE(error.find("camera_info roi"), std::string::npos) << error;
+}
+
 TEST(Conversions, BinnedCameraInfoIsRefused) {
   sensor_msgs::CameraInfo info = ToCameraInfo(SomeCamera(), 5, "optical");
   info.binning_x = 2;

@@ -95,6 +95,17 @@ class MappingPublishNodeTest(unittest.TestCase):
         self.assertEqual(cameras.messages[0].markers[0].action, Marker.DELETEALL)
         self.assertEqual(self.drawn(cameras.messages[0]), {"session_1", "session_2"})
 
+    def test_one_topic_has_the_paths_of_all_sessions_and_one_the_maps_apart(self):
+        paths, apart = self.collect("/paths", MarkerArray), self.collect("/maps_apart", MarkerArray)
+        self.wait(lambda: paths.count() > 0 and apart.count() > 0)
+        self.assertEqual(paths.messages[0].markers[0].action, Marker.DELETEALL)
+        self.assertEqual(self.drawn(paths.messages[0]), {"path_1", "path_2"})
+        self.wait(lambda: {"map_2/points", "map_2/path", "map_2/name"} == self.drawn(apart.last()))
+        before = paths.count()
+        self.send(1, REST[:1])
+        self.wait(lambda: paths.count() > before)
+        self.assertEqual(self.drawn(paths.last()), {"path_2"})
+
     def test_finishing_a_session_without_frames_does_not_name_the_one_before(self):
         self.frames[0].publish(self.world.frame(2 * len(FINISHED)))
         self.wait(lambda: len(self.status.last().sessions) == 3)

@@ -8,8 +8,8 @@
 namespace rovio_sfm {
 
 // The place model that a command was told of: a file, "none" (then null), or, with an empty name,
-// the one that comes with the package: places/indoor.places below config/ in the sources or in
-// share/rovio_sfm beside an installed program. Throws std::runtime_error if it cannot be read.
+// the one that comes with the package (util/package_file.h). Throws std::runtime_error if it cannot
+// be read.
 std::shared_ptr<const PlaceModel> ReadPlaceModel(const std::string& file);
 
 }  // namespace rovio_sfm

@@ -9,6 +9,7 @@ namespace rovio_sfm {
 // How what a robot says of itself is put together with its images.
 struct SensorOptions {
   std::string base_frame;
+  std::string camera_frame;
   double image_latency_s = 0.0;
   double odom_latency_s = 0.0;
   double max_odom_gap_s = 0.5;
@@ -16,6 +17,8 @@ struct SensorOptions {
 
   void DescribeOptions(OptionTable& table) {
     table.AddText("base_frame", base_frame, "tf frame of the body; empty: <robot>/base_link");
+    table.AddText("camera_frame", camera_frame,
+                  "tf frame of the camera, z forward; empty: the one that its images name");
     table.AddNumber("image_latency_s", image_latency_s, -1.0, 1.0,
                     "an image was taken so long before its stamp");
     table.AddNumber("odom_latency_s", odom_latency_s, -1.0, 1.0, "so was an odometry sample");

@@ -15,6 +15,7 @@
 #include "rovio_sfm/app/frontend_node_options.h"
 #include "rovio_sfm/app/image_gate.h"
 #include "rovio_sfm/frontend/frontend.h"
+#include "rovio_sfm/ros/camera_subscribers.h"
 #include "rovio_sfm/ros/event_history.h"
 #include "rovio_sfm/ros/frontend_thresholds.h"
 #include "rovio_sfm/ros/robot_sensors.h"
@@ -34,7 +35,8 @@ class FrontendNode {
   // Handles the images that are queued and publishes their events.
   ~FrontendNode();
 
-  // Releases images that waited long enough; call at least ten times a second.
+  // Releases images that waited long enough, and looks for topics that are to be guessed; call at
+  // least ten times a second. Throws std::runtime_error where there are several of a kind.
   void Tick();
 
  private:
@@ -58,7 +60,7 @@ class FrontendNode {
   };
 
   void Advertise();
-  void Subscribe();
+  CameraCallbacks Callbacks();
 
   template <typename Message>
   void OnImage(const boost::shared_ptr<const Message>& message);
@@ -89,7 +91,7 @@ class FrontendNode {
   Frontend frontend_;           // worker thread only
   std::optional<Drawn> drawn_;  // worker thread only
   ros::Publisher frames_, preview_, matches_;
-  ros::Subscriber image_subscriber_, info_subscriber_, odom_subscriber_;
+  CameraSubscribers subscribers_;
   ros::ServiceServer get_frames_;
   diagnostic_updater::Updater diagnostics_;
   boost::recursive_mutex thresholds_mutex_;  // of the server, which wants one

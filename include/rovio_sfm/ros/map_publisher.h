@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <tf2_ros/transform_broadcaster.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <functional>
 #include <map>
@@ -15,7 +16,7 @@
 
 namespace rovio_sfm {
 
-// Sends pictures of the maps: tf, path, cameras, cloud, map_status, poses. Paths, cameras and
+// Sends pictures of the maps: tf, paths, cameras, cloud, map_status, poses. Paths, cameras and
 // clouds go out part by part, where a part changed and somebody listens; who begins to listen is
 // sent at once what was shown last. Used by one thread, which also runs the callbacks of the node's
 // queue, but for PublishPose, which may run beside the others.
@@ -46,6 +47,7 @@ class MapPublisher {
   Output& CloudOutput(const CloudPlace& place);
   nav_msgs::Path NewestPath(SessionId id) const;
   sensor_msgs::PointCloud2 NewestCloud(const CloudPlace& place) const;
+  void AdvertiseMarkers();
   void PublishSessions(const MapPicture& picture);
   void PublishClouds(const MapPicture& picture);
 
@@ -60,7 +62,9 @@ class MapPublisher {
   tf2_ros::TransformBroadcaster edges_;
   std::map<SessionId, Output> paths_;
   std::map<CloudPlace, Output> clouds_;
-  ros::Publisher cameras_, status_, pose_, keyframe_pose_;
+  Output apart_;
+  bool shows_apart_ = false;  // whether there is anything to clear
+  ros::Publisher cameras_, path_lines_, status_, pose_, keyframe_pose_;
 };
 
 }  // namespace rovio_sfm

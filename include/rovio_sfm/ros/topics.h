@@ -38,10 +38,12 @@ inline constexpr char kCloud[] = "cloud";               // sensor_msgs/PointClou
 inline constexpr char kCloudPrefix[] = "cloud/map_";    // the same, one a map but the root
 inline constexpr char kPathPrefix[] = "path/session_";  // nav_msgs/Path, latched, one a session
 inline constexpr char kCameras[] = "cameras";  // visualization_msgs/MarkerArray: all, then changes
-inline constexpr char kKeyframePose[] = "keyframe_pose";      // geometry_msgs/PoseStamped
-inline constexpr char kPose[] = "pose";                       // geometry_msgs/PoseStamped
-inline constexpr char kMapStatus[] = "map_status";            // MapStatus, latched
-inline constexpr char kListSessions[] = "list_sessions";      // service ListSessions
+inline constexpr char kPaths[] = "paths";      // visualization_msgs/MarkerArray, likewise
+inline constexpr char kMapsApart[] = "maps_apart";        // visualization_msgs/MarkerArray, latched
+inline constexpr char kKeyframePose[] = "keyframe_pose";  // geometry_msgs/PoseStamped
+inline constexpr char kPose[] = "pose";                   // geometry_msgs/PoseStamped
+inline constexpr char kMapStatus[] = "map_status";        // MapStatus, latched
+inline constexpr char kListSessions[] = "list_sessions";  // service ListSessions
 inline constexpr char kMergeSessions[] = "merge_sessions";    // service MergeSessions
 inline constexpr char kUnmergeSession[] = "unmerge_session";  // service UnmergeSession
 inline constexpr char kStartSession[] = "start_session";      // service StartSession
@@ -51,7 +53,7 @@ inline constexpr char kSaveMap[] = "save_map";                // service SaveMap
 inline constexpr char kLoadMap[] = "load_map";                // service LoadMap
 inline constexpr char kReset[] = "reset";                     // service Reset
 inline constexpr uint32_t kMapQueue = 1;
-inline constexpr uint32_t kCamerasQueue = 100;  // changes: one forgotten would be missed
+inline constexpr uint32_t kMarkersQueue = 100;  // changes: one forgotten would be missed
 inline constexpr uint32_t kPoseQueue = 50;
 
 // Place recognition, in its own namespace: that of mapping.

@@ -1,4 +1,4 @@
-#include "rovio_sfm/tools/evaluate_trajectory.h"
+#include "rovio_sfm/tools/trajectory/evaluate_trajectory.h"
 
 #include <CLI/CLI.hpp>
 #include <iomanip>
@@ -9,7 +9,7 @@
 
 #include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/report/evaluation.h"
-#include "rovio_sfm/tools/evaluation_json.h"
+#include "rovio_sfm/tools/trajectory/evaluation_json.h"
 
 namespace rovio_sfm {
 namespace {

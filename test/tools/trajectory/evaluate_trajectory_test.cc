@@ -1,4 +1,4 @@
-#include "rovio_sfm/tools/evaluate_trajectory.h"
+#include "rovio_sfm/tools/trajectory/evaluate_trajectory.h"
 
 #include <nlohmann/json.hpp>
 
