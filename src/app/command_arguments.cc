@@ -34,6 +34,9 @@ void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
   app->add_flag(
       "--seeded", arguments->mapper.seeded,
       "the thesis's Algorithms 1 to 3: places of all drives first, then each from the last");
+  app->add_option("--format", arguments->format,
+                  "what maps are written as: some of " + FormatNames() +
+                      " with commas between them; tum,ply where not given");
   CLI::Option* const overwrite =
       app->add_flag("--overwrite", arguments->overwrite, "replace the results of an earlier run");
   CLI::Option* const resume = app->add_flag(
@@ -50,15 +53,20 @@ void CompleteMappingArguments(MappingArguments* arguments) {
   if (arguments->mode == "parallax") frontend.choose.mode = KeyframeMode::kParallax;
   if (arguments->features) frontend.extract.max_features = *arguments->features;
   arguments->mapper.mapper.seed = arguments->mapper.seed;
+  arguments->formats = ReadFormats(arguments->format);
   std::string error;
   if (!IsValid(arguments->mapper, &error)) throw std::runtime_error(error);
 }
 
 void PrepareResultFolder(const MappingArguments& arguments, const std::string& file) {
-  const std::filesystem::path path = std::filesystem::path(arguments.out) / file;
-  if (!arguments.overwrite && !arguments.resume && std::filesystem::exists(path)) {
-    throw std::runtime_error(path.string() +
-                             " exists; give --resume to go on with it, --overwrite to replace it");
+  std::vector<std::string> names = {file};
+  for (const MapFormat format : arguments.formats) names.push_back(MainPathOf(format));
+  for (const std::string& name : names) {
+    const std::filesystem::path path = std::filesystem::path(arguments.out) / name;
+    if (!arguments.overwrite && !arguments.resume && std::filesystem::exists(path)) {
+      throw std::runtime_error(
+          path.string() + " exists; give --resume to go on with it, --overwrite to replace it");
+    }
   }
   std::filesystem::create_directories(arguments.out);
 }
