@@ -8,6 +8,11 @@
 #include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
+namespace {
+
+constexpr int kNothingPosed = 2;  // exit status
+
+}  // namespace
 
 std::optional<int> ParseArguments(CLI::App* app, int argc, const char* const* argv,
                                   std::ostream& out) {
@@ -35,6 +40,9 @@ void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
   app->add_flag(
       "--seeded", arguments->mapper.seeded,
       "the thesis's Algorithms 1 to 3: places of all drives first, then each from the last");
+  app->add_option("--format", arguments->format,
+                  "what maps are written as: some of " + FormatNames() +
+                      " with commas between them; tum,ply where not given");
   CLI::Option* const overwrite =
       app->add_flag("--overwrite", arguments->overwrite, "replace the results of an earlier run");
   CLI::Option* const resume = app->add_flag(
@@ -56,16 +64,21 @@ void CompleteMappingArguments(MappingArguments* arguments) {
   if (arguments->mode == "parallax") frontend.choose.mode = KeyframeMode::kParallax;
   if (arguments->features) frontend.extract.max_features = *arguments->features;
   arguments->mapper.mapper.seed = arguments->mapper.seed;
+  arguments->formats = ReadFormats(arguments->format);
   std::string error;
   if (!IsValid(arguments->mapper, &error)) throw std::runtime_error(error);
 }
 
 void PrepareResultFolder(const MappingArguments& arguments, const std::string& file) {
-  const std::filesystem::path path = std::filesystem::path(arguments.out) / file;
   if (arguments.mapper.localize) return;
-  if (!arguments.overwrite && !arguments.resume && std::filesystem::exists(path)) {
-    throw std::runtime_error(path.string() +
-                             " exists; give --resume to go on with it, --overwrite to replace it");
+  std::vector<std::string> names = {file};
+  for (const MapFormat format : arguments.formats) names.push_back(MainPathOf(format));
+  for (const std::string& name : names) {
+    const std::filesystem::path path = std::filesystem::path(arguments.out) / name;
+    if (!arguments.overwrite && !arguments.resume && std::filesystem::exists(path)) {
+      throw std::runtime_error(
+          path.string() + " exists; give --resume to go on with it, --overwrite to replace it");
+    }
   }
   std::filesystem::create_directories(arguments.out);
 }
@@ -92,12 +105,13 @@ void TellStore(const StoreFolder* store, std::ostream& out) {
   }
 }
 
-void WriteLocalized(const OfflineMapper& mapper, const MapSnapshot& snapshot,
-                    const MappingArguments& arguments, std::ostream& out) {
+int WriteLocalized(const OfflineMapper& mapper, const MapSnapshot& snapshot,
+                   const MappingArguments& arguments, std::ostream& out) {
   const std::filesystem::path path = std::filesystem::path(arguments.out) / "localized.txt";
   WriteFile(path, LocalizedText(snapshot, mapper.localizations()), Overwrite::kAllow);
   out << mapper.localizations().size() << " of " << mapper.frontend_counters().images
       << " images posed in the map\nwrote " << std::filesystem::absolute(path).string() << "\n";
+  return mapper.localizations().empty() ? kNothingPosed : 0;
 }
 
 Overwrite MayReplaceResults(const MappingArguments& arguments) {

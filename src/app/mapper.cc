@@ -2,6 +2,7 @@
 
 #include "rovio_sfm/mapping/make_keyframe.h"
 #include "rovio_sfm/merging/share_scales.h"
+#include "rovio_sfm/report/collect_model.h"
 #include "rovio_sfm/report/measure_odometry_delay.h"
 #include "rovio_sfm/util/check.h"
 #include "rovio_sfm/util/check_options.h"
@@ -145,6 +146,10 @@ std::shared_ptr<const MapSnapshot> Mapper::Snapshot() const {
   ShareScales(&snapshot->sessions);
   snapshot->shared_landmarks = keeper_.shared_landmarks();
   return snapshot;
+}
+
+MapModel Mapper::ModelOf(const LevelMap& map) const {
+  return CollectModel(map, keeper_.sessions(), *context_.store);
 }
 
 MapperCounters Mapper::counters() const {

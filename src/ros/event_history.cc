@@ -38,6 +38,17 @@ void EventHistory::Clear() {
   num_bytes_ = 0;
 }
 
+std::map<FrameId, FrameEventMsg::ConstPtr> EventHistory::EventsWithImages() const {
+  std::map<FrameId, FrameEventMsg::ConstPtr> found;
+  MutexLock lock(mutex_);
+  for (const FrameEventMsg::ConstPtr& event : events_) {
+    std::string error;
+    const auto id = FromMessage(event->id, &error);
+    if (id && !event->jpeg.empty()) found[*id] = event;
+  }
+  return found;
+}
+
 GetFramesResponse EventHistory::Page(const GetFramesRequest& request) const {
   GetFramesResponse response;
   std::string error;

@@ -18,44 +18,73 @@ bool IsFolderName(const std::string& name) {
   return is_plain && name.size() <= 64 && (name.empty() || name.front() != '.');
 }
 
-void Write(const LevelMap& map, const std::filesystem::path& folder, bool overwrite,
-           ExportMapResponse* response) {
-  if (!overwrite && std::filesystem::exists(folder / "cloud.ply")) {
-    response->status =
-        AlreadyExists((folder / "cloud.ply").string() + " exists and overwrite was false");
-    return;
+// False, and the status says which file stands there.
+bool MayWrite(const std::filesystem::path& folder, const MapFormats& formats, bool overwrite,
+              Status* status) {
+  try {
+    if (!overwrite) RequireNoFiles(folder, formats);
+    return true;
+  } catch (const std::exception& error) {
+    *status = AlreadyExists(std::string(error.what()) + ", as overwrite was false");
+    return false;
   }
+}
+
+void Write(const LevelMap& map, const MapSource& source, const MapFormats& formats,
+           const std::filesystem::path& folder, Overwrite overwrite, ExportMapResponse* response) {
   std::filesystem::create_directories(folder);
-  for (const std::filesystem::path& path :
-       WriteMapFiles(map, folder, overwrite ? Overwrite::kAllow : Overwrite::kRefuse)) {
-    response->files.push_back(path.string());
+  const WrittenFiles written = WriteMapFiles(map, source, formats, folder, overwrite);
+  for (const std::filesystem::path& path : written.paths) response->files.push_back(path.string());
+  std::string message = "map " + std::to_string(map.id.value) + " written to " +
+                        std::filesystem::absolute(folder).string();
+  if (written.num_missing_pictures > 0) {
+    message += "; " + std::to_string(written.num_missing_pictures) + " pictures were not at hand";
   }
-  response->status = Ok("map " + std::to_string(map.id.value) + " written to " +
-                        std::filesystem::absolute(folder).string());
+  response->status = Ok(message);
+}
+
+bool ReadRequest(const std::string& output_dir, const ExportMapRequest& request,
+                 MapFormats* formats, Status* status) {
+  if (output_dir.empty()) {
+    *status = FailedPrecondition("the parameter ~output_dir is not set");
+    return false;
+  }
+  if (!IsFolderName(request.name)) {
+    *status =
+        InvalidArgument("name: expected at most 64 of A-Z a-z 0-9 _ - ., not beginning with .");
+    return false;
+  }
+  try {
+    *formats = ReadFormats(request.formats);
+  } catch (const std::exception& error) {
+    *status = InvalidArgument(error.what());
+    return false;
+  }
+  return true;
 }
 
 }  // namespace
 
-ExportMapResponse ExportMapFiles(const MapSnapshot& snapshot, const std::string& output_dir,
-                                 const ExportMapRequest& request) {
+std::optional<LevelMap> FindRequestedMap(const MapSnapshot& snapshot,
+                                         const ExportMapRequest& request) {
+  return request.map == 0 ? FindLargestMap(snapshot) : FindLevelMap(snapshot, MapId{request.map});
+}
+
+ExportMapResponse ExportMapFiles(const MapSnapshot& snapshot, const MapSource& source,
+                                 const std::string& output_dir, const ExportMapRequest& request) {
   ExportMapResponse response;
-  if (output_dir.empty()) {
-    response.status = FailedPrecondition("the parameter ~output_dir is not set");
-    return response;
-  }
-  if (!IsFolderName(request.name)) {
-    response.status =
-        InvalidArgument("name: expected at most 64 of A-Z a-z 0-9 _ - ., not beginning with .");
-    return response;
-  }
-  const auto map =
-      request.map == 0 ? FindLargestMap(snapshot) : FindLevelMap(snapshot, MapId{request.map});
+  MapFormats formats;
+  if (!ReadRequest(output_dir, request, &formats, &response.status)) return response;
+  const auto map = FindRequestedMap(snapshot, request);
   if (!map) {
     response.status = NotFound("map: there is no such map with a posed frame");
     return response;
   }
+  const auto folder = std::filesystem::path(output_dir) / request.name;
+  if (!MayWrite(folder, formats, request.overwrite, &response.status)) return response;
   try {
-    Write(*map, std::filesystem::path(output_dir) / request.name, request.overwrite, &response);
+    const Overwrite overwrite = request.overwrite ? Overwrite::kAllow : Overwrite::kRefuse;
+    Write(*map, source, formats, folder, overwrite, &response);
   } catch (const std::exception& error) {  // a full disk, a read-only folder
     response.status = Internal(error.what());
   }

@@ -233,10 +233,10 @@ void MappingNode::WriteFinalMap() const {
   ExportMapRequest request;
   request.overwrite = options_.overwrite;
   ExportMapResponse response =
-      ExportMapFiles(*engine_.Picture().snapshot, options_.output_dir, request);
+      ExportMapFiles(*engine_.Picture().snapshot, {}, options_.output_dir, request);
   for (int i = 1; response.status.code == Status::ALREADY_EXISTS; ++i) {
     request.name = "map_" + std::to_string(i);  // an older map is never replaced unasked
-    response = ExportMapFiles(*engine_.Picture().snapshot, options_.output_dir, request);
+    response = ExportMapFiles(*engine_.Picture().snapshot, {}, options_.output_dir, request);
   }
   if (response.status.code == Status::OK) {
     for (const std::string& file : response.files) ROS_INFO_STREAM("wrote " << file);

@@ -1,4 +1,5 @@
 // The services of MappingNode; see mapping_node.h.
+#include <stdexcept>
 #include <utility>
 
 #include "rovio_sfm/ros/answer_merge.h"
@@ -14,6 +15,15 @@ namespace rovio_sfm {
 namespace {
 
 constexpr char kNoStore[] = "no store is kept: ~output_dir is empty or ~keep_store false";
+// The encoded image that came with a frame's event; null: none did.
+std::shared_ptr<const std::vector<uint8_t>> ImageOf(
+    const FrameId& id, const std::map<FrameId, FrameEventMsg::ConstPtr>& events) {
+  const auto event = events.find(id);
+  if (event == events.end()) return nullptr;
+  const FrameEventMsg::ConstPtr held = event->second;
+  return {&held->jpeg, [held](const std::vector<uint8_t>*) {}};
+}
+
 constexpr char kDropped[] = "the call was refused: too many wait already, or the node ends";
 
 }  // namespace
@@ -87,8 +97,36 @@ Status MappingNode::CloseSession(const std::string& robot, std::optional<ClosedS
 }
 
 bool MappingNode::ExportMap(ExportMapRequest& request, ExportMapResponse& response) {
-  response = ExportMapFiles(*engine_.Picture().snapshot, options_.output_dir, request);
+  if (request.formats.empty()) {
+    response = ExportMapFiles(*engine_.Picture().snapshot, {}, options_.output_dir, request);
+    return true;
+  }
+  MapParts parts;
+  const auto take = [&] { parts = TakeMapParts(request); };
+  if (!RunAndWait(take, kCallLane, &worker_)) {
+    response.status = Internal(kDropped);
+    return true;
+  }
+  const auto events = history_.EventsWithImages();
+  const MapSource source{[&](const LevelMap&) {
+                           if (!parts.model) throw std::runtime_error(parts.error);
+                           return std::move(*parts.model);
+                         },
+                         [&](const ModelImage& image) { return ImageOf(image.id, events); }};
+  response = ExportMapFiles(*parts.snapshot, source, options_.output_dir, request);
   return true;
+}
+
+// On the worker, so that both are of one moment; the files are written elsewhere.
+MappingNode::MapParts MappingNode::TakeMapParts(const ExportMapRequest& request) const {
+  MapParts parts{engine_.Picture().snapshot, std::nullopt, ""};
+  try {
+    const auto map = FindRequestedMap(*parts.snapshot, request);
+    if (map) parts.model = engine_.ModelOf(*map);
+  } catch (const std::exception& error) {
+    parts.error = error.what();
+  }
+  return parts;
 }
 
 bool MappingNode::Reset(ResetRequest& request, ResetResponse& response) {

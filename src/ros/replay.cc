@@ -14,6 +14,7 @@
 #include "rovio_sfm/app/progress_bar.h"
 #include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/ros/bag_images.h"
+#include "rovio_sfm/ros/bag_pictures.h"
 #include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
@@ -54,30 +55,25 @@ void CompleteOptions(Arguments* arguments) {
   RequireValid(arguments->sensors);
 }
 
-std::shared_ptr<const MapSnapshot> MapBags(const Arguments& arguments, std::ostream& out,
-                                           std::ostream& progress) {
-  std::vector<std::filesystem::path> paths(arguments.bags.begin(), arguments.bags.end());
-  const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
-  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), nullptr,
-                       store ? &store->store() : nullptr);
-  for (const BagDrive& drive : FindDrives(paths)) {
+std::shared_ptr<const MapSnapshot> MapBags(const std::vector<BagDrive>& drives,
+                                           const Arguments& arguments, OfflineMapper* mapper,
+                                           std::ostream& out, std::ostream& progress) {
+  for (const BagDrive& drive : drives) {
     BagImages images(drive, arguments.sensors);
     ProgressBar bar(images.Count(), &progress);
     const double start_s = SteadySeconds();
-    mapper.StartDrive(drive.robot);
+    mapper->StartDrive(drive.robot);
     size_t num_done = 0;
     while (std::optional<ImageEvent> image = images.Next()) {
-      mapper.Add(std::move(*image));
+      mapper->Add(std::move(*image));
       bar.Show(++num_done, SteadySeconds() - start_s);
     }
     bar.Finish(SteadySeconds() - start_s);
     out << drive.bag.string() << ": " << num_done << " images of " << drive.robot << ", "
         << images.NumRefused() << " messages refused\n";
   }
-  const std::shared_ptr<const MapSnapshot> snapshot = mapper.Finish();
-  out << mapper.mapper_counters().global_adjustments << " global adjustments\n";
-  TellStore(store.get(), out);
-  if (arguments.mapper.localize) WriteLocalized(mapper, *snapshot, arguments, out);
+  const std::shared_ptr<const MapSnapshot> snapshot = mapper->Finish();
+  out << mapper->mapper_counters().global_adjustments << " global adjustments\n";
   return snapshot;
 }
 
@@ -91,16 +87,23 @@ int ReplayCommand(int argc, const char* const* argv, std::ostream& out, std::ost
   cv::setNumThreads(1);  // the threads are ours
   CompleteOptions(&arguments);
   PrepareResultFolder(arguments, "cloud.ply");
-  const std::shared_ptr<const MapSnapshot> snapshot = MapBags(arguments, out, progress);
-  if (arguments.mapper.localize) return 0;
+  const std::vector<BagDrive> drives = FindDrives({arguments.bags.begin(), arguments.bags.end()});
+  const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
+  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), nullptr,
+                       store ? &store->store() : nullptr);
+  const auto snapshot = MapBags(drives, arguments, &mapper, out, progress);
+  TellStore(store.get(), out);
+  if (arguments.mapper.localize) return WriteLocalized(mapper, *snapshot, arguments, out);
   const std::optional<LevelMap> map = FindLargestMap(*snapshot);
   if (!map) throw std::runtime_error("no session could start: nothing to write");
   const Overwrite overwrite = MayReplaceResults(arguments);
   out << snapshot->sessions.size() << " sessions; " << PosedImages(*map).size()
       << " images posed in the largest map, in " << (map->scale ? "metres" : "map units") << "\n";
-  for (const auto& path : WriteMapFiles(*map, arguments.out, overwrite)) {
-    out << "wrote " << path.string() << "\n";
-  }
+  BagPictures pictures(drives, arguments.sensors);
+  const MapSource source{
+      [&](const LevelMap& level_map) { return mapper.ModelOf(level_map); },
+      [&](const ModelImage& image) { return pictures.Find(image.id.drive.robot, image.stamp_ns); }};
+  PrintWritten(WriteMapFiles(*map, source, arguments.formats, arguments.out, overwrite), out);
   return 0;
 }
 

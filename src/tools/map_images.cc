@@ -60,38 +60,48 @@ YawByStamp YawsOf(const DatasetFolder& dataset) {
   return yaws;
 }
 
+std::string RobotOf(size_t folder) { return "folder_" + std::to_string(folder); }
+
+// The picture of a frame: the file of its folder with the same stamp.
+std::shared_ptr<const std::vector<uint8_t>> FindPicture(const std::vector<DatasetFolder>& datasets,
+                                                        const ModelImage& wanted) {
+  for (size_t i = 0; i < datasets.size(); ++i) {
+    if (RobotOf(i) != wanted.id.drive.robot) continue;
+    for (const DatasetImage& image : datasets[i].images) {
+      if (image.stamp_ns != wanted.stamp_ns) continue;
+      return std::make_shared<const std::vector<uint8_t>>(ReadBytes(image.path, kMaxImageBytes));
+    }
+  }
+  return nullptr;
+}
+
 MapRun MapFolders(const std::vector<DatasetFolder>& datasets, const Arguments& arguments,
-                  std::ostream& out) {
+                  StageTimes* times, OfflineMapper* mapper) {
   const int64_t start_ns = SteadyNs();
   MapRun run;
-  StageTimes times(SteadyNs);
-  const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
-  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), &times,
-                       store ? &store->store() : nullptr);
   for (size_t i = 0; i < datasets.size(); ++i) {
-    const std::string robot = "folder_" + std::to_string(i);
-    mapper.StartDrive(robot);
+    const std::string robot = RobotOf(i);
+    mapper->StartDrive(robot);
     for (const DatasetImage& image : datasets[i].images) {
-      mapper.Add(ReadImage(datasets[i], image, !arguments.without_odometry));
+      mapper->Add(ReadImage(datasets[i], image, !arguments.without_odometry));
     }
     run.num_images += datasets[i].images.size();
     if (!arguments.without_odometry) run.odometry[robot] = YawsOf(datasets[i]);
     if (!datasets[i].ground_truth.empty()) run.ground_truth[robot] = datasets[i].ground_truth;
   }
-  run.snapshot = mapper.Finish();
-  TellStore(store.get(), out);
-  if (arguments.mapper.localize) WriteLocalized(mapper, *run.snapshot, arguments, out);
-  run.frontend = mapper.frontend_counters();
-  run.funnel = mapper.matching_funnel();
-  run.mapper = mapper.mapper_counters();
-  run.merges = mapper.merge_reports();
-  run.stages = times.totals();
+  run.snapshot = mapper->Finish();
+  run.frontend = mapper->frontend_counters();
+  run.funnel = mapper->matching_funnel();
+  run.mapper = mapper->mapper_counters();
+  run.merges = mapper->merge_reports();
+  run.stages = times->totals();
   run.wall_s = 1e-9 * static_cast<double>(SteadyNs() - start_ns);
   run.peak_rss_mb = PeakRssMb();
   return run;
 }
 
-void WriteResults(const MapRun& run, const Arguments& arguments, std::ostream& out) {
+void WriteResults(const MapRun& run, const MapSource& source, const Arguments& arguments,
+                  std::ostream& out) {
   const Overwrite overwrite = MayReplaceResults(arguments);
   nlohmann::ordered_json summary;
   summary["folders"] = arguments.folders;
@@ -102,9 +112,7 @@ void WriteResults(const MapRun& run, const Arguments& arguments, std::ostream& o
                         {"seed", arguments.mapper.seed}};
   summary.update(MapSummaryJson(run));
   if (const auto map = FindLargestMap(*run.snapshot)) {
-    for (const auto& path : WriteMapFiles(*map, arguments.out, overwrite)) {
-      out << "wrote " << path.string() << "\n";
-    }
+    PrintWritten(WriteMapFiles(*map, source, arguments.formats, arguments.out, overwrite), out);
   }
   const std::filesystem::path path = std::filesystem::path(arguments.out) / "summary.json";
   WriteFile(path, summary.dump(2) + "\n", overwrite);
@@ -122,8 +130,17 @@ int MapImagesCommand(int argc, const char* const* argv, std::ostream& out) {
   cv::setNumThreads(1);  // the threads are ours
   CompleteMappingArguments(&arguments);
   PrepareResultFolder(arguments, "summary.json");
-  const MapRun run = MapFolders(ReadFolders(arguments), arguments, out);
-  if (!arguments.mapper.localize) WriteResults(run, arguments, out);
+  const std::vector<DatasetFolder> datasets = ReadFolders(arguments);
+  StageTimes times(SteadyNs);
+  const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
+  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), &times,
+                       store ? &store->store() : nullptr);
+  const MapRun run = MapFolders(datasets, arguments, &times, &mapper);
+  TellStore(store.get(), out);
+  if (arguments.mapper.localize) return WriteLocalized(mapper, *run.snapshot, arguments, out);
+  const MapSource source{[&](const LevelMap& map) { return mapper.ModelOf(map); },
+                         [&](const ModelImage& image) { return FindPicture(datasets, image); }};
+  WriteResults(run, source, arguments, out);
   return 0;
 }
 

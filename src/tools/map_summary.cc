@@ -61,6 +61,7 @@ void AddStatistics(const MapStatistics& statistics, Json* json) {
   (*json)["landmarks_over_three_views"] = statistics.landmarks_over_three_views;
   (*json)["projections"] = statistics.projections;
   (*json)["mean_error_px"] = statistics.mean_error_px;
+  (*json)["rms_counted_px"] = statistics.rms_counted_px;
   (*json)["rms_px"] = statistics.rms_px;
   (*json)["rms_n"] = statistics.rms_n;
 }

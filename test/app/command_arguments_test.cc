@@ -54,6 +54,25 @@ TEST(CompleteMappingArguments, RefusesWhatIsOutOfRange) {
   EXPECT_THROW(CompleteMappingArguments(&arguments), std::runtime_error);
 }
 
+TEST(CompleteMappingArguments, ReadsTheFormats) {
+  MappingArguments arguments;
+  ASSERT_FALSE(Parse({"--out", "x", "--format", "colmap,ply"}, &arguments));
+  CompleteMappingArguments(&arguments);
+  EXPECT_EQ(arguments.formats, MapFormats({MapFormat::kPly, MapFormat::kColmap}));
+  arguments.format = "obj";
+  EXPECT_THROW(CompleteMappingArguments(&arguments), std::runtime_error);
+}
+
+TEST(PrepareResultFolder, GuardsMapsOfEveryFormatAskedFor) {
+  const TemporaryFolder folder;
+  folder.Write("colmap/database.db", "");
+  MappingArguments arguments;
+  arguments.out = folder.Path();
+  EXPECT_NO_THROW(PrepareResultFolder(arguments, "summary.json"));
+  arguments.formats = {MapFormat::kColmap};
+  EXPECT_THROW(PrepareResultFolder(arguments, "summary.json"), std::runtime_error);
+}
+
 TEST(PrepareResultFolder, GuardsAnEarlierResult) {
   const TemporaryFolder folder;
   MappingArguments arguments;

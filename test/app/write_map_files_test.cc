@@ -16,19 +16,24 @@ LevelMap SmallMap(uint32_t num_sessions) {
   return *FindLargestMap(snapshot);
 }
 
+std::vector<std::filesystem::path> WriteDefault(const LevelMap& map, const TemporaryFolder& folder,
+                                                const std::string& formats = "") {
+  return WriteMapFiles(map, {}, ReadFormats(formats), folder.Path(), Overwrite::kRefuse).paths;
+}
+
 TEST(WriteMapFiles, WritesPathAndCloudAndReplacesNothing) {
   const TemporaryFolder folder;
-  const auto written = WriteMapFiles(SmallMap(1), folder.Path(), Overwrite::kRefuse);
+  const auto written = WriteDefault(SmallMap(1), folder);
   ASSERT_EQ(written.size(), 2u);
   EXPECT_TRUE(written[0].is_absolute());
   EXPECT_EQ(ReadTrajectory(folder.Path() / "trajectory.txt").size(), 3u);
   EXPECT_TRUE(std::filesystem::exists(folder.Path() / "cloud.ply"));
-  EXPECT_THROW(WriteMapFiles(SmallMap(1), folder.Path(), Overwrite::kRefuse), std::runtime_error);
+  EXPECT_THROW(WriteDefault(SmallMap(1), folder), std::runtime_error);
 }
 
 TEST(WriteMapFiles, WritesEachOfSeveralDrivesByItself) {
   const TemporaryFolder folder;
-  EXPECT_EQ(WriteMapFiles(SmallMap(2), folder.Path(), Overwrite::kRefuse).size(), 4u);
+  EXPECT_EQ(WriteDefault(SmallMap(2), folder).size(), 4u);
   EXPECT_EQ(ReadTrajectory(folder.Path() / "trajectory_robot2.txt").size(), 3u);
 }
 
@@ -36,12 +41,60 @@ TEST(WriteMapFiles, WritesEachOfARobotsDrivesByItself) {
   const TemporaryFolder folder;
   LevelMap map = SmallMap(3);
   map.sessions[1].drive = {"robot1", map.sessions[0].drive.start_ns, 7};  // nonce alone differs
-  EXPECT_EQ(WriteMapFiles(map, folder.Path(), Overwrite::kRefuse).size(), 5u);
+  EXPECT_EQ(WriteDefault(map, folder).size(), 5u);
   for (const SessionSnapshot& session : {map.sessions[0], map.sessions[1]}) {
     const std::string name = "trajectory_" + session.drive.ToString() + ".txt";
     EXPECT_EQ(ReadTrajectory(folder.Path() / name).size(), 3u) << name;
   }
   EXPECT_TRUE(std::filesystem::exists(folder.Path() / "trajectory_robot3.txt"));
+}
+
+TEST(WriteMapFiles, WritesNothingWhereOneFormatIsThereAlready) {
+  const TemporaryFolder folder;
+  folder.Write("kitti/other.txt", "");
+  const std::string error = MessageOf([&] { WriteDefault(SmallMap(1), folder, "ply,kitti"); });
+  EXPECT_NE(error.find((folder.Path() / "kitti").string()), std::string::npos) << error;
+  EXPECT_FALSE(std::filesystem::exists(folder.Path() / "cloud.ply"));
+  WriteMapFiles(SmallMap(1), {}, ReadFormats("ply,kitti"), folder.Path(), Overwrite::kAllow);
+  EXPECT_TRUE(std::filesystem::exists(folder.Path() / "cloud.ply"));
+}
+
+// Every drive of the map from its first image.
+TEST(WriteMapFiles, WritesKittiPosesOfEachDrive) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(WriteDefault(SmallMap(2), folder, "kitti").size(), 4u);
+  const std::string first = ReadText(folder.Path() / "kitti/robot1_poses.txt");
+  std::istringstream numbers(first);
+  std::vector<double> values;
+  for (double value = 0.0; numbers >> value;) values.push_back(value);
+  ASSERT_EQ(values.size(), 3u * 12u);
+  for (const size_t i : {0u, 5u, 10u}) EXPECT_NEAR(values[i], 1.0, 1e-12);
+  EXPECT_NEAR(values[12 + 3], 0.5, 1e-12);  // the camera moves to its right
+  EXPECT_EQ(ReadText(folder.Path() / "kitti/robot1_times.txt"), "0.000000\n0.100000\n0.200000\n");
+  EXPECT_EQ(ReadText(folder.Path() / "kitti/robot2_poses.txt"), first);
+}
+
+TEST(WriteMapFiles, AsksForTheModelOnlyWhereAFormatNeedsIt) {
+  const TemporaryFolder folder;
+  int num_asked = 0;
+  const MapSource source{[&](const LevelMap&) {
+                           ++num_asked;
+                           return MapModel();
+                         },
+                         nullptr};
+  const auto write = [&](const std::string& formats) {
+    WriteMapFiles(SmallMap(1), source, ReadFormats(formats), folder.Path(), Overwrite::kAllow);
+  };
+  write("ply_ascii,tum,kitti");
+  EXPECT_EQ(num_asked, 0);
+  write("colmap,nvm,bundler");
+  EXPECT_EQ(num_asked, 1);
+}
+
+TEST(PrintWritten, SaysWhatIsMissing) {
+  std::ostringstream out;
+  PrintWritten({{"/a/b"}, 3}, out);
+  EXPECT_EQ(out.str(), "wrote /a/b\n3 pictures were not at hand and are not among them\n");
 }
 
 TEST(MapCloudBytes, SaysItsUnit) {

@@ -25,6 +25,7 @@ TEST(ComputeMapStatistics, CountsImagesAndLandmarksByViews) {
   EXPECT_EQ(s.landmarks_over_three_views, 1u);
   EXPECT_EQ(s.projections, 9u);
   EXPECT_NEAR(s.mean_error_px, 0.5, 1e-12);
+  EXPECT_NEAR(s.rms_counted_px, 0.5 / std::sqrt(2.0), 1e-12);
 }
 
 TEST(ComputeMapStatistics, TakesTheRmsOverAllWithMoreThanThreeViews) {

@@ -52,6 +52,16 @@ TEST(EventHistory, ForgetsTheOldestBeyondItsBytes) {
   EXPECT_EQ(history.Page(Request(0, 10)).frames.size(), 2u);
 }
 
+TEST(EventHistory, GivesTheEventsThatBroughtAnImage) {
+  EventHistory history(100, 1000000);
+  history.Add(Event(0));
+  history.Add(Event(1, 1, 30));
+  const auto events = history.EventsWithImages();
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events.begin()->first.index, 1u);
+  EXPECT_EQ(events.begin()->second->jpeg.size(), 30u);
+}
+
 TEST(EventHistory, UnknownDriveIsNotFound) {
   EventHistory history(100, 1000000);
   EXPECT_EQ(history.Page(Request(0, 10)).status.code, Status::NOT_FOUND);

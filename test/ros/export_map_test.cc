@@ -21,7 +21,7 @@ class ExportMapTest : public testing::Test {
     request.name = name;
     request.overwrite = overwrite;
     request.map = map;
-    return ExportMapFiles(*SmallMaps(1), folder_.string(), request);
+    return ExportMapFiles(*SmallMaps(1), {}, folder_.string(), request);
   }
 
   std::filesystem::path folder_;
@@ -47,18 +47,47 @@ TEST_F(ExportMapTest, StaysBelowItsFolder) {
   }
 }
 
+TEST_F(ExportMapTest, RefusesAFormatThatItDoesNotKnowByName) {
+  ExportMapRequest request;
+  request.formats = "tum,obj";
+  const auto response = ExportMapFiles(*SmallMaps(1), {}, folder_.string(), request);
+  EXPECT_EQ(response.status.code, Status::INVALID_ARGUMENT);
+  EXPECT_NE(response.status.message.find("\"obj\""), std::string::npos) << response.status.message;
+  EXPECT_FALSE(std::filesystem::exists(folder_));
+}
+
+TEST_F(ExportMapTest, WritesTheFormatsAskedForAndSaysWhatIsMissing) {
+  ExportMapRequest request;
+  request.formats = "kitti,colmap";
+  const MapSource source{[](const LevelMap&) {
+                           MapModel model;
+                           model.cameras.resize(1);
+                           model.images.resize(2);
+                           model.images[0].name = "a";
+                           model.images[1].name = "b";
+                           return model;
+                         },
+                         nullptr};
+  const auto response = ExportMapFiles(*SmallMaps(1), source, folder_.string(), request);
+  ASSERT_EQ(response.status.code, Status::OK) << response.status.message;
+  EXPECT_NE(response.status.message.find("2 pictures were not at hand"), std::string::npos);
+  EXPECT_EQ(response.files.size(), 6u);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "colmap/sparse/0/images.bin"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "cloud.ply"));
+}
+
 TEST_F(ExportMapTest, UnknownMapIsNotFound) {
   EXPECT_EQ(Export("", false, 7).status.code, Status::NOT_FOUND);
 }
 
 TEST_F(ExportMapTest, WithoutAFolderNothingIsWritten) {
-  const ExportMapResponse response = ExportMapFiles(*SmallMaps(1), "", ExportMapRequest());
+  const ExportMapResponse response = ExportMapFiles(*SmallMaps(1), {}, "", ExportMapRequest());
   EXPECT_EQ(response.status.code, Status::FAILED_PRECONDITION);
 }
 
 TEST_F(ExportMapTest, FolderThatCannotBeMadeIsAnError) {
   const ExportMapResponse response =
-      ExportMapFiles(*SmallMaps(1), "/proc/nowhere", ExportMapRequest());
+      ExportMapFiles(*SmallMaps(1), {}, "/proc/nowhere", ExportMapRequest());
   EXPECT_EQ(response.status.code, Status::INTERNAL);
   EXPECT_FALSE(response.status.message.empty());
 }

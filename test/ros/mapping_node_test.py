@@ -74,7 +74,7 @@ class MappingNodeTest(unittest.TestCase):
                          Status.NOT_FOUND)
         self.assertEqual(self.call("/start_session", StartSession, "No robot").status.code,
                          Status.INVALID_ARGUMENT)
-        self.assertEqual(self.call("/export_map", ExportMap, 0, "", False).status.code,
+        self.assertEqual(self.call("/export_map", ExportMap, 0, "", "", False).status.code,
                          Status.FAILED_PRECONDITION)
         self.assertEqual(self.call("/reset", Reset, False).status.code, Status.INVALID_ARGUMENT)
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "rovio_sfm/app/map_formats.h"
 #include "rovio_sfm/app/offline_mapper.h"
 #include "rovio_sfm/app/store_folder.h"
 #include "rovio_sfm/io/write_file.h"
@@ -22,10 +23,12 @@ std::optional<int> ParseArguments(CLI::App* app, int argc, const char* const* ar
 
 // What every command that maps drives can be told.
 struct MappingArguments {
-  std::string out;              // folder for the results
-  std::string mode;             // every, parallax; empty: as the options say
-  std::optional<int> features;  // most of an image; none: as the options say
-  std::string places;           // place model; none: no merging; empty: the shipped one
+  std::string out;                       // folder for the results
+  std::string mode;                      // every, parallax; empty: as the options say
+  std::optional<int> features;           // most of an image; none: as the options say
+  std::string places;                    // place model; none: no merging; empty: the shipped one
+  std::string format;                    // names of ReadFormats
+  MapFormats formats = kDefaultFormats;  // of that
   bool overwrite = false;
   bool resume = false;
   bool store = true;
@@ -35,12 +38,12 @@ struct MappingArguments {
 // The arguments must outlive the parsing.
 void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments);
 
-// Puts mode, features and seed into the options of the mapper. Throws std::runtime_error that names
-// an option out of its range.
+// Puts mode, features and seed into the options of the mapper, and reads the formats. Throws
+// std::runtime_error that names an option out of its range.
 void CompleteMappingArguments(MappingArguments* arguments);
 
-// Makes the folder for the results. Throws std::runtime_error if it holds this file and overwrite
-// is false: cheap now, vexing after an hour's work.
+// Makes the folder for the results. Throws std::runtime_error if it holds this file, or maps in one
+// of the formats, and overwrite is false: cheap now, vexing after an hour's work.
 void PrepareResultFolder(const MappingArguments& arguments, const std::string& file);
 
 // The store in the folder for the results; null where none is wanted. Throws std::runtime_error as
@@ -48,9 +51,10 @@ void PrepareResultFolder(const MappingArguments& arguments, const std::string& f
 std::unique_ptr<StoreFolder> OpenResultStore(const MappingArguments& arguments);
 // That of a command that ends, for people; a warning where it could not be written to the end.
 void TellStore(const StoreFolder* store, std::ostream& out);
-// Of --localize: writes the poses of the images, and says how many there are.
-void WriteLocalized(const OfflineMapper& mapper, const MapSnapshot& snapshot,
-                    const MappingArguments& arguments, std::ostream& out);
+// Of --localize: writes the poses of the images, and says how many there are. Returns the exit
+// status: 2 where there is none.
+int WriteLocalized(const OfflineMapper& mapper, const MapSnapshot& snapshot,
+                   const MappingArguments& arguments, std::ostream& out);
 // Whether files that a folder for results holds already may be replaced.
 Overwrite MayReplaceResults(const MappingArguments& arguments);
 

@@ -10,8 +10,10 @@
 #include "rovio_sfm/mapping/drive_mapper.h"
 #include "rovio_sfm/merging/map_keeper.h"
 #include "rovio_sfm/merging/map_options.h"
+#include "rovio_sfm/report/level_map.h"
 #include "rovio_sfm/scene/events.h"
 #include "rovio_sfm/scene/frame_store.h"
+#include "rovio_sfm/scene/map_model.h"
 #include "rovio_sfm/scene/map_snapshot.h"
 #include "rovio_sfm/util/stage_times.h"
 
@@ -65,6 +67,9 @@ class Mapper {
   void Finish();
 
   std::shared_ptr<const MapSnapshot> Snapshot() const;
+  // The map of a snapshot that still holds (nothing was added or merged since), as exporters want
+  // it. Throws std::runtime_error where the store lacks a frame.
+  MapModel ModelOf(const LevelMap& map) const;
   MapperCounters counters() const;
   // The index after the newest event of each drive.
   std::map<DriveId, uint32_t> NextIndices() const;

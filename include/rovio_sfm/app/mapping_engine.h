@@ -81,6 +81,9 @@ class MappingEngine {
   // store is kept.
   void Save();
 
+  // A map of the newest picture, as exporters want it; see Mapper.
+  MapModel ModelOf(const LevelMap& map) const { return state_->mapper.ModelOf(map); }
+
   MapPicture Picture() const EXCLUDES(mutex_);
 
  private:

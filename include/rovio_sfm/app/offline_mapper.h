@@ -60,6 +60,9 @@ class OfflineMapper {
   // Ends the last drive; its snapshot is final.
   std::shared_ptr<const MapSnapshot> Finish();
 
+  // A map of that snapshot, as exporters want it; see Mapper.
+  MapModel ModelOf(const LevelMap& map) const { return mapper_.ModelOf(map); }
+
   // What became of the images of all drives so far; call after Finish.
   const FrontendCounters& frontend_counters() const { return frontend_counters_; }
   const MatchingFunnel& matching_funnel() const { return funnel_; }

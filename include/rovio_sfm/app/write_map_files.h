@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "rovio_sfm/io/write_file.h"
+#include "rovio_sfm/app/write_model_files.h"
 #include "rovio_sfm/merging/localizer.h"
 #include "rovio_sfm/report/level_map.h"
 
@@ -17,12 +19,31 @@ std::string MapTrajectoryText(const LevelMap& map);
 // A PLY of the landmarks that count.
 std::string MapCloudBytes(const LevelMap& map);
 
-// Writes trajectory.txt, trajectory_ROBOT.txt for each of several drives (of a robot with several,
-// trajectory_DRIVE.txt, see DriveId::ToString), and cloud.ply into a folder that exists; returns
-// the absolute paths. Throws std::runtime_error where a file cannot be written.
-std::vector<std::filesystem::path> WriteMapFiles(const LevelMap& map,
-                                                 const std::filesystem::path& folder,
-                                                 Overwrite overwrite);
+// What formats that need more than the map itself ask for; may be empty where none does.
+struct MapSource {
+  std::function<MapModel(const LevelMap&)> model_of;
+  PictureSource pictures;
+};
+
+// Throws std::runtime_error naming the first file or folder of these formats that is there already.
+void RequireNoFiles(const std::filesystem::path& folder, const MapFormats& formats);
+
+// Writes the map into a folder that exists, in each of the formats: trajectory.txt and, for each of
+// several drives, trajectory_DRIVE.txt (see DriveNames); cloud.ply; kitti/DRIVE_poses.txt and
+// _times.txt; and what WriteModelFiles says. Unless overwriting is allowed nothing is written where
+// RequireNoFiles throws. Throws std::runtime_error where a file cannot be written.
+WrittenFiles WriteMapFiles(const LevelMap& map, const MapSource& source, const MapFormats& formats,
+                           const std::filesystem::path& folder, Overwrite overwrite);
+
+// The same in the default formats.
+inline std::vector<std::filesystem::path> WriteMapFiles(const LevelMap& map,
+                                                        const std::filesystem::path& folder,
+                                                        Overwrite overwrite) {
+  return WriteMapFiles(map, {}, kDefaultFormats, folder, overwrite).paths;
+}
+
+// "wrote PATH" a line, and how many pictures were not at hand.
+void PrintWritten(const WrittenFiles& written, std::ostream& out);
 
 // The poses of localized images in the level frames of their maps, by stamp, as a TUM trajectory.
 std::string LocalizedText(const MapSnapshot& snapshot,

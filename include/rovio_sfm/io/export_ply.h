@@ -20,5 +20,7 @@ struct CloudPoint {
 // The bytes of a binary little-endian PLY: x y z red green blue session views error, one vertex per
 // point, in the order given. The comment says what the lengths are ("metres", "map units").
 std::string PlyBytes(const std::vector<CloudPoint>& points, const std::string& length_unit);
+// The same as an ASCII PLY.
+std::string PlyText(const std::vector<CloudPoint>& points, const std::string& length_unit);
 
 }  // namespace rovio_sfm

@@ -15,6 +15,7 @@ struct MapStatistics {
   size_t landmarks_over_three_views = 0;  // the same with four and more
   size_t projections = 0;                 // views of all of the above
   double mean_error_px = 0.0;             // mean reprojection error over those projections
+  double rms_counted_px = 0.0;            // Eq. 5.2 over those projections, times the focal length
   double rms_n = 0.0;   // Eq. 5.4: over landmarks with more than three views, none left out
   double rms_px = 0.0;  // Eq. 5.2 over the same, times the focal length
 };

@@ -4,8 +4,10 @@
 #include <rovio_sfm/GetFrames.h>
 
 #include <deque>
+#include <map>
 #include <memory>
 
+#include "rovio_sfm/scene/ids.h"
 #include "rovio_sfm/util/mutex.h"
 
 namespace rovio_sfm {
@@ -19,6 +21,9 @@ class EventHistory {
 
   void Add(FrameEventMsg::ConstPtr event) EXCLUDES(mutex_);
   void Clear() EXCLUDES(mutex_);
+
+  // The events that brought an image (keep_images), by frame.
+  std::map<FrameId, FrameEventMsg::ConstPtr> EventsWithImages() const EXCLUDES(mutex_);
 
   // Answers the service GetFrames; never fails otherwise than by status.
   GetFramesResponse Page(const GetFramesRequest& request) const EXCLUDES(mutex_);

@@ -72,6 +72,14 @@ class MappingNode {
   void LoadStore(const std::filesystem::path& file, LoadMapResponse* response);
   Status CloseSession(const std::string& robot, std::optional<ClosedSession>* closed);
 
+  // A picture of the maps and the model of one, both of one moment.
+  struct MapParts {
+    std::shared_ptr<const MapSnapshot> snapshot;
+    std::optional<MapModel> model;
+    std::string error;  // why there is none
+  };
+  MapParts TakeMapParts(const ExportMapRequest& request) const;  // worker
+
   ArrivedFrame Arrived(const FrameEventMsg::ConstPtr& message, const FrameEvent& event);
   void Map(const FrameEventMsg::ConstPtr& message, const FrameEvent& event);  // worker
   void CountGaps();                                                           // worker

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <set>
+#include <string>
+
+namespace rovio_sfm {
+
+// What a map can be written as (docs/exports.md).
+enum class MapFormat { kTum, kPly, kPlyAscii, kKitti, kColmap, kColmapText, kBundler, kNvm };
+using MapFormats = std::set<MapFormat>;
+
+// A trajectory and a cloud.
+inline const MapFormats kDefaultFormats = {MapFormat::kTum, MapFormat::kPly};
+
+// All names, for help and errors: "tum, ply, ply_ascii, kitti, colmap, colmap_text, bundler, nvm".
+std::string FormatNames();
+// Reads names with commas between them; an empty text stands for the default. Throws
+// std::runtime_error that names what is not known.
+MapFormats ReadFormats(const std::string& names);
+
+// True where the format needs cameras, features and points (MapModel), not just poses or points.
+bool NeedsModel(MapFormat format);
+// The file or folder that is always there once a map was written so.
+std::string MainPathOf(MapFormat format);
+
+}  // namespace rovio_sfm

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "rovio_sfm/app/map_formats.h"
+#include "rovio_sfm/io/write_file.h"
+#include "rovio_sfm/scene/map_model.h"
+
+namespace rovio_sfm {
+
+// The encoded picture of a model's image; null where it is not at hand.
+using PictureSource =
+    std::function<std::shared_ptr<const std::vector<uint8_t>>(const ModelImage& image)>;
+
+struct WrittenFiles {
+  std::vector<std::filesystem::path> paths;  // absolute; of a folder of pictures the folder
+  size_t num_missing_pictures = 0;           // of those that a format wants, all formats together
+};
+
+// Writes a model below a folder in one of the formats that need one: colmap/ and colmap_text/ are
+// workspaces of COLMAP (sparse/0, database.db, images/), bundler/ and nvm/ hold undistorted
+// pictures (images/). pictures may be empty. Throws std::runtime_error where a file cannot be
+// written or a picture be undistorted.
+WrittenFiles WriteModelFiles(const MapModel& model, MapFormat format, const PictureSource& pictures,
+                             const std::filesystem::path& folder, Overwrite overwrite);
+
+}  // namespace rovio_sfm

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "rovio_sfm/ros/bag_images.h"
+#include "rovio_sfm/ros/image_bytes.h"
+
+namespace rovio_sfm {
+
+// The encoded pictures of drives that were mapped, found again in their bags. Asked in the order of
+// the bags it reads each once; nothing is kept.
+class BagPictures {
+ public:
+  // As for BagImages: the same stamps come again.
+  BagPictures(std::vector<BagDrive> drives, SensorOptions options)
+      : drives_(std::move(drives)), options_(std::move(options)) {}
+
+  // Of the robot's image with this stamp; null where no bag has it.
+  ImageBytes Find(const std::string& robot, int64_t stamp_ns);
+
+ private:
+  std::vector<BagDrive> drives_;
+  SensorOptions options_;
+  size_t drive_ = 0;                   // that is read
+  std::unique_ptr<BagImages> images_;  // of it, behind the last found; null: from its start
+};
+
+}  // namespace rovio_sfm
