@@ -8,11 +8,29 @@
 
 namespace rovio_sfm {
 
+FrameSnapshot FrameOf(const Localization& pose) {
+  FrameSnapshot frame;
+  frame.index = pose.id.index;
+  frame.stamp_ns = pose.stamp_ns;
+  frame.image_name = pose.image_name;
+  frame.kind = FrameKind::kLight;
+  frame.cam_from_session = pose.cam_from_session;
+  frame.base_from_camera = pose.base_from_camera;
+  frame.num_observations = pose.num_inliers;
+  return frame;
+}
+
+const FrameSnapshot* FindAnchorFrame(const SessionSnapshot& session, const OdometryAnchor& anchor) {
+  if (anchor.localized) return &*anchor.localized;
+  return FindFrame(session, anchor.index);
+}
+
 MappingEngine::MappingEngine(const MapOptions& options, std::unique_ptr<StoreFolder> store)
     : options_(options),
       store_(std::move(store)),
       state_(std::make_unique<State>(options, store_ ? &store_->store() : nullptr)) {
   if (store_) Resume();
+  if (store_ && !store_->IsWritten()) state_->localizer.emplace(options_, &state_->mapper.maps());
   Show();
 }
 
@@ -31,7 +49,7 @@ void MappingEngine::Resume() {
 }
 
 void MappingEngine::Save() {
-  if (!store_ || is_saved_) return;
+  if (!store_ || is_saved_ || localizes()) return;
   if (state_->mapper.SaveTo(&store_->store())) {
     saved_up_to_.clear();
     for (const auto& [drive, next_index] : state_->mapper.NextIndices()) {
@@ -61,6 +79,32 @@ MapperReport MappingEngine::Add(const FrameEvent& event) {
 void MappingEngine::Add(const PlaceMatch& match) {
   ++num_place_matches_;
   state_->mapper.Add(match);
+  Show();
+}
+
+std::optional<Localization> MappingEngine::Localize(const FrameEvent& event) {
+  ++num_events_;
+  next_indices_[event.id.drive] = event.id.index + 1;
+  std::optional<Localization> pose = state_->localizer->Add(event);
+  Anchor(pose);
+  return pose;
+}
+
+std::optional<Localization> MappingEngine::Localize(const PlaceMatch& match) {
+  ++num_place_matches_;
+  std::optional<Localization> pose = state_->localizer->Add(match);
+  Anchor(pose);
+  return pose;
+}
+
+// A robot stays where its newest frame put it.
+void MappingEngine::Anchor(const std::optional<Localization>& pose) {
+  if (pose) {
+    OdometryAnchor& anchor = anchors_[pose->id.drive.robot];
+    if (!anchor.localized || anchor.localized->stamp_ns <= pose->stamp_ns) {
+      anchor = {pose->session, pose->id.index, pose->odometry, FrameOf(*pose)};
+    }
+  }
   Show();
 }
 
@@ -140,6 +184,7 @@ std::optional<ClosedSession> MappingEngine::FinishSession(const std::string& rob
 }
 
 void MappingEngine::Finish() {
+  if (localizes()) return;
   state_->mapper.Finish();
   Show();
   Save();
@@ -190,6 +235,10 @@ void MappingEngine::Show() {
   picture.num_place_matches = num_place_matches_;
   picture.num_matches_waiting = state_->mapper.num_matches_waiting();
   picture.num_matches_repeated = state_->mapper.num_matches_repeated();
+  if (localizes()) {
+    picture.num_localized = state_->localizer->num_posed();
+    picture.num_not_localized = state_->localizer->num_frames() - picture.num_localized;
+  }
   picture.saved_up_to = saved_up_to_;
   if (store_) picture.store_error = store_->store().error();
   MutexLock lock(mutex_);

@@ -11,7 +11,6 @@
 #include "rovio_sfm/merging/share_scales.h"
 #include "rovio_sfm/merging/spread_gap.h"
 #include "rovio_sfm/merging/try_loop.h"
-#include "rovio_sfm/merging/undo_merge.h"
 
 namespace rovio_sfm {
 namespace {
@@ -277,59 +276,6 @@ MergeReport MapKeeper::MergeAt(SessionId a, SessionId b, const Sim3& b_from_a) {
   list_.AllowJoining(a, b, sessions_);
   Accept(AcceptedBy::kHand, &kept);
   return kept.report;
-}
-
-std::vector<MergeReport> MapKeeper::Unmerge(SessionId id) {
-  const UndoPlan plan = PlanUndo(id, &list_);
-  std::vector<MergeReport> reports;
-  if (plan.undone.empty()) return reports;
-  list_.Separate(id, sessions_);
-  for (MergeEdit* edit : plan.undone) {
-    edit->report.verdict = MergeVerdict::kUndone;
-    edit->marks.clear();
-    reports.push_back(edit->report);
-  }
-  for (MergeEdit* edit : plan.repeated) {
-    edit->report.verdict = MergeVerdict::kWaiting;
-    edit->marks.clear();
-  }
-  for (const auto& [session, mark] : plan.marks) {
-    running_.erase(list_.PlaceOf(session).map);
-    list_.RaiseRevision(list_.PlaceOf(session).map);
-    RestoreSession(mark, options_, sessions_.Lend(session));
-  }
-  list_.Place();
-  for (const auto& [session, mark] : plan.marks) list_.RaiseRevision(list_.PlaceOf(session).map);
-  for (MergeEdit* edit : plan.repeated) Repeat(edit);
-  return reports;
-}
-
-// Makes an edit again, by what its overlap says of the sessions as they are; where it says nothing
-// any more, as it was.
-void MapKeeper::Repeat(MergeEdit* edit) {
-  const MergeReport before = edit->report;
-  OverlapTrial trial = Retry(*edit);
-  if (trial.report.num_inliers > 0) {
-    edit->report = std::move(trial.report);
-    edit->report.id = before.id;
-    edit->report.reason = before.reason;
-    edit->links = std::move(trial.links);
-  }
-  edit->report.kind = before.kind == MergeKind::kLoop ? MergeKind::kMerge : before.kind;
-  Accept(edit->accepted_by, edit);
-}
-
-OverlapTrial MapKeeper::Retry(const MergeEdit& edit) {
-  const Session* query = sessions_.FindHolder(edit.match.query);
-  const SessionId other = edit.report.other_session;
-  const PairsBySession pairs = GroupPairs(edit.match, sessions_);
-  const auto of_other = pairs.find(other);
-  if (query == nullptr || !(query->id() == edit.report.query_session) || of_other == pairs.end()) {
-    return {};
-  }
-  if (auto link = TryLink(edit.match, other, query->id(), of_other->second)) return *link;
-  return TryOverlap(*sessions_.Find(other), *query, edit.match.query, of_other->second, options_,
-                    *store_);
 }
 
 void MapKeeper::KeepWaitedInVain(const WaitingMatch& waiting) {

@@ -35,7 +35,7 @@ void MapKeeper::Restore(std::vector<SessionRecord> sessions, MergeRecord merges)
   }
   for (const MergeEdit& edit : list_.edits()) {
     const bool was_running = edit.IsMerge() && !edit.report.error_after_px;
-    if (was_running) StartAdjusting(list_.PlaceOf(edit.report.query_session).map, edit);
+    if (was_running) RestartAdjustment(list_.PlaceOf(edit.report.query_session).map);
   }
 }
 

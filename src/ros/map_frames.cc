@@ -23,7 +23,7 @@ std::optional<geometry_msgs::TransformStamped> RobotEdge(const std::string& robo
                                                          const OdometryAnchor& anchor,
                                                          const SessionSnapshot& session,
                                                          const ros::Time& stamp) {
-  const FrameSnapshot* frame = FindFrame(session, anchor.index);
+  const FrameSnapshot* frame = FindAnchorFrame(session, anchor);
   if (frame == nullptr) return std::nullopt;
   const std::optional<Rigid3> level_from_camera = CameraInLevel(session, *frame);
   if (!level_from_camera) return std::nullopt;

@@ -181,18 +181,25 @@ void MapPublisher::PublishClouds(const MapPicture& picture) {
 }
 
 void MapPublisher::PublishPose(const MapPicture& picture, SessionId id, uint32_t index) {
-  for (const SessionSnapshot& session : picture.snapshot->sessions) {
-    if (!(session.id == id)) continue;
-    const FrameSnapshot* frame = FindFrame(session, index);
-    const auto level_from_camera = frame == nullptr ? std::nullopt : CameraInLevel(session, *frame);
-    if (!level_from_camera) return;
-    geometry_msgs::PoseStamped pose;
-    pose.header.frame_id = SessionFrame(id);
-    pose.header.stamp = ToTime(frame->stamp_ns);
-    pose.pose = ToPose(*level_from_camera);
-    pose_.publish(pose);
-    if (frame->kind == FrameKind::kKeyframe) keyframe_pose_.publish(pose);
-  }
+  const SessionSnapshot* session = FindSession(*picture.snapshot, id);
+  const FrameSnapshot* frame = session == nullptr ? nullptr : FindFrame(*session, index);
+  if (frame != nullptr) PublishPose(*session, *frame);
+}
+
+void MapPublisher::PublishPose(const MapPicture& picture, const Localization& localization) {
+  const SessionSnapshot* session = FindSession(*picture.snapshot, localization.session);
+  if (session != nullptr) PublishPose(*session, FrameOf(localization));
+}
+
+void MapPublisher::PublishPose(const SessionSnapshot& session, const FrameSnapshot& frame) {
+  const std::optional<Rigid3> level_from_camera = CameraInLevel(session, frame);
+  if (!level_from_camera) return;
+  geometry_msgs::PoseStamped pose;
+  pose.header.frame_id = SessionFrame(session.id);
+  pose.header.stamp = ToTime(frame.stamp_ns);
+  pose.pose = ToPose(*level_from_camera);
+  pose_.publish(pose);
+  if (frame.kind == FrameKind::kKeyframe) keyframe_pose_.publish(pose);
 }
 
 }  // namespace rovio_sfm

@@ -73,6 +73,8 @@ std::optional<MapStatus> MapStatusWriter::Write(const MapPicture& picture,
   WriteSessions(picture, &status);
   WriteMaps(picture, &status);
   for (const FrameId& id : picture.saved_up_to) status.saved_up_to.push_back(ToMessage(id));
+  status.num_localized = static_cast<uint32_t>(picture.num_localized);
+  status.num_not_localized = static_cast<uint32_t>(picture.num_not_localized);
   status.store_error = picture.store_error;
   AddCounters(picture, counters, &status);
   AddMerges(*picture.merges, &status);

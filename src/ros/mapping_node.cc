@@ -42,6 +42,9 @@ size_t SizeOf(const PlaceMatch& match) {
 }
 
 std::unique_ptr<StoreFolder> OpenStore(const MappingNodeOptions& options) {
+  if (options.localize) {
+    return std::make_unique<StoreFolder>(options.output_dir, ExistingStore::kRead);
+  }
   if (!options.keep_store || options.output_dir.empty()) return nullptr;
   MapStoreOptions store;
   store.keep_images = options.keep_images;
@@ -119,7 +122,7 @@ MappingNode::~MappingNode() {
   if (num_late_events_ > 0) ROS_WARN_STREAM(num_late_events_ << " queued events were not mapped");
   engine_.Finish();
   publisher_.PublishMap(engine_.Picture(), Counters(), true);
-  if (!options_.output_dir.empty()) WriteFinalMap();
+  if (!options_.output_dir.empty() && !options_.localize) WriteFinalMap();
 }
 
 void MappingNode::OnFrame(const FrameEventMsg::ConstPtr& message, FrameEvent event) {
@@ -138,16 +141,20 @@ void MappingNode::OnPlaceMatch(const PlaceMatchMsg::ConstPtr& message) {
     return;
   }
   const size_t num_bytes = SizeOf(*match);
-  auto add = [this, match = std::move(*match)] {
-    if (IsTimeUp()) {
-      ++num_late_matches_;
-    } else {
-      engine_.Add(match);
-    }
-  };
+  auto add = [this, match = std::move(*match)] { AddMatch(match); };
   if (!worker_.Push(kMatchLane, std::move(add), num_bytes)) {
     ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "place match dropped: " << worker_.NumQueued(kMatchLane)
                                                                    << " wait to be judged");
+  }
+}
+
+void MappingNode::AddMatch(const PlaceMatch& match) {
+  if (IsTimeUp()) {
+    ++num_late_matches_;
+  } else if (!options_.localize) {
+    engine_.Add(match);
+  } else if (const auto pose = engine_.Localize(match)) {
+    publisher_.PublishPose(engine_.Picture(), *pose);
   }
 }
 
@@ -184,6 +191,11 @@ IngestCounters MappingNode::Counters() const {
 void MappingNode::Map(const FrameEventMsg::ConstPtr& message, const FrameEvent& event) {
   if (IsTimeUp()) {
     ++num_late_events_;
+    return;
+  }
+  if (options_.localize) {
+    history_.Add(message);
+    if (const auto pose = engine_.Localize(event)) publisher_.PublishPose(engine_.Picture(), *pose);
     return;
   }
   const MapperReport report = engine_.Add(event);

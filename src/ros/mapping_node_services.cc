@@ -14,6 +14,7 @@
 namespace rovio_sfm {
 namespace {
 
+constexpr char kReadOnly[] = "~localize is on: the maps are only read";
 constexpr char kNoStore[] = "no store is kept: ~output_dir is empty or ~keep_store false";
 // The encoded image that came with a frame's event; null: none did.
 std::shared_ptr<const std::vector<uint8_t>> ImageOf(
@@ -86,6 +87,7 @@ bool MappingNode::FinishSession(FinishSessionRequest& request, FinishSessionResp
 Status MappingNode::CloseSession(const std::string& robot, std::optional<ClosedSession>* closed) {
   std::string error;
   if (!IsValidRobotName(robot, &error)) return InvalidArgument(error);
+  if (options_.localize) return FailedPrecondition(kReadOnly);
   const auto close = [&] {
     gap_filler_.EndWait(robot, SteadySeconds());  // frames that came before the call belong to it
     *closed = engine_.FinishSession(robot);
@@ -130,6 +132,10 @@ MappingNode::MapParts MappingNode::TakeMapParts(const ExportMapRequest& request)
 }
 
 bool MappingNode::Reset(ResetRequest& request, ResetResponse& response) {
+  if (options_.localize) {
+    response.status = FailedPrecondition(kReadOnly);
+    return true;
+  }
   if (!request.confirm) {
     response.status = InvalidArgument("confirm: expected true; all maps would be forgotten");
     return true;
@@ -161,7 +167,9 @@ bool MappingNode::SaveMap(SaveMapRequest& request, SaveMapResponse& response) {
 bool MappingNode::LoadMap(LoadMapRequest& request, LoadMapResponse& response) {
   std::string error;
   const std::filesystem::path file = StorePathOf(options_.output_dir, request.name, &error);
-  if (!engine_.keeps_store()) {
+  if (options_.localize) {
+    response.status = FailedPrecondition(kReadOnly);
+  } else if (!engine_.keeps_store()) {
     response.status = FailedPrecondition(kNoStore);
   } else if (!request.confirm) {
     response.status = InvalidArgument("confirm: expected true; the maps of now would be put aside");
@@ -197,13 +205,21 @@ void MappingNode::LoadStore(const std::filesystem::path& file, LoadMapResponse* 
 
 bool MappingNode::MergeSessions(MergeSessionsRequest& request, MergeSessionsResponse& response) {
   const auto merge = [&] { response = AnswerMerge(request, &engine_); };
-  if (!RunAndWait(merge, kCallLane, &worker_)) response.status = Internal(kDropped);
+  if (options_.localize) {
+    response.status = FailedPrecondition(kReadOnly);
+  } else if (!RunAndWait(merge, kCallLane, &worker_)) {
+    response.status = Internal(kDropped);
+  }
   return true;
 }
 
 bool MappingNode::UnmergeSession(UnmergeSessionRequest& request, UnmergeSessionResponse& response) {
   const auto unmerge = [&] { response = AnswerUnmerge(request, &engine_); };
-  if (!RunAndWait(unmerge, kCallLane, &worker_)) response.status = Internal(kDropped);
+  if (options_.localize) {
+    response.status = FailedPrecondition(kReadOnly);
+  } else if (!RunAndWait(unmerge, kCallLane, &worker_)) {
+    response.status = Internal(kDropped);
+  }
   return true;
 }
 

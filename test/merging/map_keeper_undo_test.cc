@@ -81,6 +81,17 @@ TEST(MapKeeperUndo, UndoingOneSessionOfThreeGivesTheOthersTheirBytes) {
   EXPECT_TRUE(three.AreInOneMap(three.b, three.c));
 }
 
+// The adjustment that the undone merge threw away.
+TEST(MapKeeperUndo, TheAdjustmentOfWhatRemainsBeginsAgain) {
+  ThreeSessions three;
+  three.keeper.Add(three.OverlapOfThirdAndSecond());
+  three.keeper.Add(TrueOverlap(three.two, 8, 8));
+  three.keeper.Unmerge({1});
+  ASSERT_FALSE(three.keeper.Reports()[0].error_after_px);
+  for (int i = 0; i < 4; ++i) three.PassKeyframes();
+  EXPECT_TRUE(three.keeper.Reports()[0].error_after_px);
+}
+
 // What was separated by request is not joined by way of a third session either.
 TEST(MapKeeperUndo, NoPlaceMatchBringsASessionBackToTheOthersOfItsMap) {
   ThreeSessions three;

@@ -9,6 +9,7 @@
 
 #include "rovio_sfm/app/mapper.h"
 #include "rovio_sfm/app/store_folder.h"
+#include "rovio_sfm/merging/localizer.h"
 #include "rovio_sfm/scene/memory_frame_store.h"
 #include "rovio_sfm/util/executor.h"
 #include "rovio_sfm/util/mutex.h"
@@ -20,7 +21,12 @@ struct OdometryAnchor {
   SessionId session;
   uint32_t index = 0;  // FrameId::index
   std::optional<OdometrySample> odometry;
+  std::optional<FrameSnapshot> localized = {};  // the frame itself, where it is none of the map's
 };
+// A localized frame as if it were one of the session's.
+FrameSnapshot FrameOf(const Localization& pose);
+// The anchor's frame in its session; null if it has no pose (any more).
+const FrameSnapshot* FindAnchorFrame(const SessionSnapshot& session, const OdometryAnchor& anchor);
 
 // A session that was closed by request.
 struct ClosedSession {
@@ -41,7 +47,8 @@ struct MapPicture {
       std::make_shared<const std::vector<MergeReport>>();
   uint64_t num_place_matches = 0, num_matches_waiting = 0, num_matches_repeated = 0;
   std::vector<FrameId> saved_up_to;  // the newest frame of each drive that is on disk
-  std::string store_error;           // why nothing is saved any more; empty: all is well
+  uint64_t num_localized = 0, num_not_localized = 0;  // frames, while maps are only read
+  std::string store_error;  // why nothing is saved any more; empty: all is well
 };
 
 // The mapper of all robots with what it needs, and the rules of who may send: a robot's new drive
@@ -50,11 +57,16 @@ struct MapPicture {
 class MappingEngine {
  public:
   // store: where the maps are kept, and taken from; null: in memory alone. Throws StoreError.
+  // A store that is only read gives maps that stay what they are, in which frames are localized.
   explicit MappingEngine(const MapOptions& options, std::unique_ptr<StoreFolder> store = nullptr);
 
   MapperReport Add(const FrameEvent& event);
   // Takes an overlap; it waits until its frames are there. Merge reports say what became of it.
   void Add(const PlaceMatch& match);
+  // In place of Add where maps are only read: where the frame, or the query of the match, stands.
+  std::optional<Localization> Localize(const FrameEvent& event);
+  std::optional<Localization> Localize(const PlaceMatch& match);
+  bool localizes() const { return state_->localizer.has_value(); }
   // Takes over the adjustments of maps that are ready; call now and then.
   void ApplyDueResults();
   // By request, of known sessions that have frames; the report says what was done, or why not.
@@ -95,9 +107,11 @@ class MappingEngine {
     MemoryFrameStore memory;
     Executor executor{1};  // of global adjustments
     Mapper mapper;
+    std::optional<Localizer> localizer;
   };
 
   void Resume();
+  void Anchor(const std::optional<Localization>& pose);
   void BeginAnew();
   bool EnterDrive(const DriveId& drive, std::string* error);
   std::optional<SessionId> RunningSession(const DriveId& drive) const;

@@ -18,6 +18,7 @@ struct MappingNodeOptions {
   bool overwrite = false;
   bool keep_store = true;
   bool keep_images = true;
+  bool localize = false;
   double cloud_period_s = 1.0;
   double drain_s = 10.0;
   double fetch_timeout_s = 5.0;
@@ -30,6 +31,8 @@ struct MappingNodeOptions {
     table.AddFlag("overwrite", overwrite, "the map written at the end may replace an older one");
     table.AddFlag("keep_store", keep_store,
                   "maps are kept in output_dir/map.db, and those that it holds go on");
+    table.AddFlag("localize", localize,
+                  "robots are posed in the maps of output_dir/map.db, which stay what they are");
     table.AddFlag("keep_images", keep_images, "the store keeps the JPEGs that frames bring");
     table.AddNumber("cloud_period_s", cloud_period_s, 0.1, 60.0, "the cloud goes out no oftener");
     table.AddNumber("drain_s", drain_s, 0.0, 3600.0, "at the end, for frames that are queued");

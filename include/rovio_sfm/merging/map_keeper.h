@@ -89,6 +89,7 @@ class MapKeeper {
   void MarkSessions(MergeEdit* edit);
   void CloseLoop(MergeEdit* edit);
   void StartAdjusting(MapId map, const MergeEdit& edit);
+  void RestartAdjustment(MapId map);
   void ApplyAdjustment(MapId map);
   void TakeOver(MapId map, MapAdjustmentReport report, const std::vector<FeatureLink>& links);
   void AdjustMapOf(MapId map);

@@ -31,8 +31,12 @@ class MapPublisher {
   void PublishMap(const MapPicture& picture, const IngestCounters& counters, bool at_once);
   // The pose of a registered frame, on pose and, for a keyframe, keyframe_pose.
   void PublishPose(const MapPicture& picture, SessionId session, uint32_t index);
+  // The same of a frame that was localized in a session: on pose alone.
+  void PublishPose(const MapPicture& picture, const Localization& localization);
 
  private:
+  void PublishPose(const SessionSnapshot& session, const FrameSnapshot& frame);
+
   // A latched topic; stale: what it says now was not sent, because nobody listened.
   struct Output {
     ros::Publisher publisher;

@@ -82,6 +82,7 @@ class MappingNode {
 
   ArrivedFrame Arrived(const FrameEventMsg::ConstPtr& message, const FrameEvent& event);
   void Map(const FrameEventMsg::ConstPtr& message, const FrameEvent& event);  // worker
+  void AddMatch(const PlaceMatch& match);                                     // worker
   void CountGaps();                                                           // worker
   void SaveNowAndThen(double now_s);                                          // worker
   void WriteFinalMap() const;
