@@ -6,7 +6,7 @@ foreach(FOLDER config launch rviz)
     install(DIRECTORY ${FOLDER} DESTINATION ${SHARE})
   endif()
 endforeach()
-install(PROGRAMS scripts/plot_map.py scripts/plot_places.py DESTINATION lib/${PROJECT_NAME})
+install(PROGRAMS scripts/record_inputs scripts/plot_map.py scripts/plot_places.py DESTINATION lib/${PROJECT_NAME})
 if(NOT ROVIO_WITH_ROS)  # catkin_package() does it otherwise
   install(FILES package.xml DESTINATION ${SHARE})
 endif()

@@ -1,0 +1,5 @@
+"""The acceptance of the third stage: as its users try it."""
+
+from acceptance import bags, shell
+
+LINES = [*bags.LINES, *shell.LINES]
