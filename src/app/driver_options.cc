@@ -29,8 +29,7 @@ void DriverOptions::DescribeOptions(OptionTable& table) {
   table.AddFlag("publish_tf", publish_tf, "");
   frames.DescribeOptions(table);
   table.AddText("camera_name", camera_name, "names the calibration; empty: the robot's");
-  table.AddText("camera_info_url", camera_info_url,
-                "one of a package:// is only where to begin: see set_camera_info");
+  table.AddText("camera_info_url", camera_info_url, "");
   table.AddNumber("mcu_rate_hz", mcu_rate_hz, 1.0, 50.0, "of ticks; slower ones lose some");
   table.AddNumber("report_rate_hz", report_rate_hz, 0.1, 10.0, "of battery, settings, signals");
   table.AddNumber("diagnostic_period", diagnostic_period, 0.1, 60.0, "s between two diagnostics");
