@@ -35,7 +35,7 @@ std::optional<int> ExponentFrom(const std::string& text) {
   int exponent = 0;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), exponent);
   if (error != std::errc() || end != number.data() + number.size()) return std::nullopt;
-  if (std::abs(exponent) > kMaxExponent) return std::nullopt;
+  if (exponent < -kMaxExponent || exponent > kMaxExponent) return std::nullopt;
   return exponent;
 }
 

@@ -27,11 +27,12 @@ bool HasConsistentSize(const sensor_msgs::Image& message) {
          message.step >= message.width * BytesPerPixel(message.encoding);
 }
 
-// What the pixels are turned into: 16 bits of grey stay so, for the decoder stretches them.
+// What the pixels are turned into: 16 bits stay so, for the decoder stretches them.
 const char* PackedEncoding(const std::string& encoding) {
   namespace encodings = sensor_msgs::image_encodings;
   if (encoding == encodings::MONO8 || encoding == encodings::TYPE_8UC1) return "mono8";
   if (encoding == encodings::MONO16 || encoding == encodings::TYPE_16UC1) return "mono16";
+  if (encodings::isColor(encoding) && encodings::bitDepth(encoding) == 16) return "bgr16";
   return "bgr8";
 }
 
