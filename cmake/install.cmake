@@ -6,7 +6,8 @@ foreach(FOLDER config launch rviz)
     install(DIRECTORY ${FOLDER} DESTINATION ${SHARE})
   endif()
 endforeach()
-install(PROGRAMS scripts/plot_map.py scripts/plot_places.py scripts/run_demo.py scripts/teleop
+install(PROGRAMS scripts/plot_map.py scripts/plot_places.py scripts/record_inputs scripts/run_demo.py
+                 scripts/teleop
         DESTINATION lib/${PROJECT_NAME})
 install(FILES scripts/demo_graph.py scripts/demo_pictures.py scripts/demo_services.py
               scripts/teleop_keys.py DESTINATION lib/${PROJECT_NAME})

@@ -1,5 +1,5 @@
 """The acceptance of the third stage: as its users try it."""
 
-from acceptance import eye, package
+from acceptance import bags, eye, package, shell
 
-LINES = [*eye.LINES, *package.LINES]
+LINES = [*bags.LINES, *shell.LINES, *eye.LINES, *package.LINES]

@@ -28,7 +28,7 @@ void DriverOptions::DescribeOptions(OptionTable& table) {
                   "an image was taken so long before its first byte came");
   table.AddFlag("publish_tf", publish_tf, "");
   frames.DescribeOptions(table);
-  table.AddText("camera_name", camera_name, "");
+  table.AddText("camera_name", camera_name, "names the calibration; empty: the robot's");
   table.AddText("camera_info_url", camera_info_url, "");
   table.AddNumber("mcu_rate_hz", mcu_rate_hz, 1.0, 50.0, "of ticks; slower ones lose some");
   table.AddNumber("report_rate_hz", report_rate_hz, 0.1, 10.0, "of battery, settings, signals");
@@ -46,6 +46,7 @@ DriverOptions LoadDriverOptions(const YAML::Node& parameters, const std::string&
   DriverOptions options;
   LogOptions(LoadOptions(parameters, "rovio_driver", &options));
   CompleteFrames(robot, &options.frames);
+  if (options.camera_name.empty()) options.camera_name = robot.empty() ? "rovio" : robot;
   options.reports.back_off = options.images.back_off;
   if (options.camera.configure) options.reports.wanted_settings = options.camera.settings;
   return options;

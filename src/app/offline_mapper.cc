@@ -36,6 +36,7 @@ OfflineMapper::OfflineMapper(const OfflineMapperOptions& options,
       store_(ChooseStore()),
       adjust_executor_(options.num_threads > 1 ? 1 : 0),
       prepare_executor_(options.num_threads - 1),
+      prepared_(&prepare_executor_),
       mapper_(options.mapper, store_, &adjust_executor_, times) {
   if (place_model) recognizer_.emplace(options.places, std::move(place_model), store_, times);
   if (kept_ != nullptr) Resume();
@@ -78,17 +79,15 @@ void OfflineMapper::StartDrive(const std::string& robot) {
 void OfflineMapper::Add(ImageEvent image) {
   ROVIO_CHECK(frontend_.has_value(), "StartDrive comes before Add");
   const size_t max_ahead = kPreparedPerThread * static_cast<size_t>(options_.num_threads - 1);
-  prepared_.push_back(prepare_executor_.Submit(
-      [image = std::move(image), &options = options_.frontend, times = times_] {
-        const auto scope = MeasureStage(times, "prepare");
-        return PrepareImage(image, options);
-      }));
-  while (prepared_.size() > max_ahead) TakeOldest();
+  prepared_.Add([image = std::move(image), &options = options_.frontend, times = times_] {
+    const auto scope = MeasureStage(times, "prepare");
+    return PrepareImage(image, options);
+  });
+  while (prepared_.NumPending() > max_ahead) TakeOldest();
 }
 
 void OfflineMapper::TakeOldest() {
-  const PreparedImage image = prepared_.front().get();
-  prepared_.pop_front();
+  const PreparedImage image = prepared_.TakeNext();
   std::optional<FrameEvent> event = frontend_->Add(image);
   if (!event) return;
   event->id.drive = KeptName(event->id.drive);
@@ -154,7 +153,7 @@ void OfflineMapper::MapSeeded() {
 
 void OfflineMapper::FinishDrive() {
   if (!frontend_) return;
-  while (!prepared_.empty()) TakeOldest();
+  while (prepared_.NumPending() > 0) TakeOldest();
   rovio_sfm::Add(frontend_->counters(), &frontend_counters_);
   frontend_.reset();
 }

@@ -69,6 +69,18 @@ std::optional<ImageSize> PngSize(const std::vector<uint8_t>& bytes) {
   return ImageSize{static_cast<int>(side(16)), static_cast<int>(side(20))};
 }
 
+// Sensors of 10, 12 or 14 bits fill the lower ones of 16: the topmost bit in use becomes the
+// topmost of eight, or every picture would be almost black.
+cv::Mat EightBitsOf(const cv::Mat& bgr) {
+  double brightest = 0.0;
+  cv::minMaxLoc(bgr.reshape(1), nullptr, &brightest);
+  int num_bits = 8;
+  while (num_bits < 16 && brightest >= static_cast<double>(1 << num_bits)) ++num_bits;
+  cv::Mat eight_bits;
+  bgr.convertTo(eight_bits, CV_8U, 1.0 / (1 << (num_bits - 8)));
+  return eight_bits;
+}
+
 DecodeResult RefuseImage(const std::string& reason) { return {cv::Mat(), reason}; }
 
 }  // namespace
@@ -101,7 +113,9 @@ DecodeResult DecodeImage(const std::vector<uint8_t>& encoded, int64_t max_pixels
   }
   if (IsJpeg(encoded) && !HasJpegEnd(encoded)) return RefuseImage("JPEG without an end marker");
   try {
-    cv::Mat bgr = cv::imdecode(encoded, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
+    cv::Mat bgr = cv::imdecode(
+        encoded, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION | cv::IMREAD_ANYDEPTH);
+    if (bgr.depth() == CV_16U) bgr = EightBitsOf(bgr);
     if (bgr.empty()) return RefuseImage("image data cannot be decoded");
     if (bgr.cols != size->width || bgr.rows != size->height)
       return RefuseImage("size is contradictory");

@@ -6,11 +6,13 @@
 #include "rovio_sfm/io/calibration.h"
 #include "rovio_sfm/io/odometry_file.h"
 #include "rovio_sfm/io/text_file.h"
+#include "rovio_sfm/util/log.h"
 
 namespace rovio_sfm {
 namespace {
 
 constexpr int64_t kMaxOdometryGapNs = 1'000'000'000;
+constexpr int64_t kMaxLateNs = 1'000'000'000;
 
 // times.txt may name only files below its own folder.
 void RequireInside(const TextLine& line, const std::filesystem::path& name) {
@@ -20,24 +22,51 @@ void RequireInside(const TextLine& line, const std::filesystem::path& name) {
   }
 }
 
+// The name is the rest of the line: it may hold blanks.
+DatasetImage ParseImage(const TextLine& line, const std::filesystem::path& folder) {
+  if (line.fields.size() < 2) line.RequireFields(2, "timestamp filename");
+  DatasetImage image;
+  image.stamp_ns = line.Stamp(0, "timestamp");
+  image.name = line.From(1);
+  RequireInside(line, image.name);
+  image.path = folder / image.name;
+  if (!std::filesystem::is_regular_file(image.path)) {
+    line.Fail("field filename: no such file " + image.path.string());
+  }
+  return image;
+}
+
+// True for an image that comes no more than a second late: it alone is left out.
+bool IsLate(const TextLine& line, int64_t stamp_ns, int64_t last_ns) {
+  if (stamp_ns > last_ns) return false;
+  if (last_ns - stamp_ns > kMaxLateNs) {
+    line.Fail("field timestamp: more than 1 s before that of the line before");
+  }
+  return true;
+}
+
+void TellLate(const std::vector<TextLine>& late, bool has_overlaps) {
+  if (late.empty()) return;
+  const std::string reason = "field timestamp: expected a later one than the line before";
+  if (has_overlaps) late.front().Fail(reason + ", as overlaps.txt numbers the images");
+  LogWarning(late.front().file + ": " + std::to_string(late.size()) +
+             " images left out, the first in line " + std::to_string(late.front().number) + ": " +
+             reason);
+}
+
 std::vector<DatasetImage> ReadImageList(const std::filesystem::path& folder) {
   std::vector<DatasetImage> images;
+  std::vector<TextLine> late;
   for (const TextLine& line : ReadTextFile(folder / "times.txt")) {
-    line.RequireFields(2, "timestamp filename");
-    DatasetImage image;
-    image.stamp_ns = line.Stamp(0, "timestamp");
-    image.name = line.fields[1];
-    RequireInside(line, image.name);
-    image.path = folder / image.name;
-    if (!images.empty() && image.stamp_ns <= images.back().stamp_ns) {
-      line.Fail("field timestamp: expected a later one than the line before");
+    DatasetImage image = ParseImage(line, folder);
+    if (!images.empty() && IsLate(line, image.stamp_ns, images.back().stamp_ns)) {
+      late.push_back(line);
+    } else {
+      images.push_back(std::move(image));
     }
-    if (!std::filesystem::is_regular_file(image.path)) {
-      line.Fail("field filename: no such file " + image.path.string());
-    }
-    images.push_back(std::move(image));
   }
   if (images.empty()) throw std::runtime_error((folder / "times.txt").string() + ": no images");
+  TellLate(late, std::filesystem::exists(folder / "overlaps.txt"));
   return images;
 }
 

@@ -117,10 +117,11 @@ void GlobalAdjustment::Start(const Session& session) {
   num_landmarks_at_last_ = session.landmarks().size();
   const BundleOptions bundle_options{options_.running_max_iterations, loss_sigmas_};
   auto solved = executor_->Submit(
-      [bundle = MakeGlobalBundle(session), bundle_options, options = options_]() mutable {
-        if (!Adjust(bundle_options, options, &bundle)) bundle = {};
-        return std::move(bundle);
-      });
+      [](SessionBundle bundle, const BundleOptions& solve, const AdjustOptions& options) {
+        if (!Adjust(solve, options, &bundle)) bundle = {};
+        return bundle;
+      },
+      MakeGlobalBundle(session), bundle_options, options_);
   running_ = std::make_unique<DelayedResult<SessionBundle>>(std::move(solved), num_frames_at_last_,
                                                             timing_);
 }

@@ -100,14 +100,16 @@ std::future<std::unique_ptr<MapBundle>> SolveBeside(const std::vector<PlacedSess
                                                     const std::vector<FeatureLink>& links,
                                                     const MapperOptions& options,
                                                     Executor* executor) {
-  auto bundle =
-      std::make_shared<MapBundle>(sessions, links, kLooseFactor * MaxErrorSigmas(options));
+  MapBundle bundle(sessions, links, kLooseFactor * MaxErrorSigmas(options));
   const BundleOptions solve{options.adjust.running_max_iterations, LossSigmas(options)};
   const auto max_frames = static_cast<size_t>(options.adjust.max_global_frames);
-  return executor->Submit([bundle, solve, max_frames]() -> std::unique_ptr<MapBundle> {
-    if (!bundle->Solve(solve, max_frames).usable) return nullptr;
-    return std::make_unique<MapBundle>(std::move(*bundle));
-  });
+  return executor->Submit(
+      [](MapBundle own, const BundleOptions& solve_options,
+         size_t frames) -> std::unique_ptr<MapBundle> {
+        if (!own.Solve(solve_options, frames).usable) return nullptr;
+        return std::make_unique<MapBundle>(std::move(own));
+      },
+      std::move(bundle), solve, max_frames);
 }
 
 }  // namespace

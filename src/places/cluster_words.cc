@@ -1,8 +1,6 @@
 #include "rovio_sfm/places/cluster_words.h"
 
 #include <algorithm>
-#include <deque>
-#include <future>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -94,18 +92,18 @@ using Nearest = std::vector<NearestCenter>;
 
 // The nearest word of each feature, in tasks consumed in order.
 Nearest AssignFeatures(const Descriptors& features, const FloatRows& words, Executor* executor) {
-  std::deque<std::future<Nearest>> tasks;
+  TaskGroup<Nearest> tasks(executor);
   for (size_t begin = 0; begin < features.Count(); begin += kTaskRows) {
     const size_t end = std::min(begin + kTaskRows, features.Count());
-    tasks.push_back(executor->Submit([&features, &words, begin, end] {
+    tasks.Add([&features, &words, begin, end] {
       const std::vector<uint8_t> rows(features.Row(begin), features.Row(end));
       return FindNearestCenters(words, ToFloatRows(rows, features.length));
-    }));
+    });
   }
   Nearest nearest;
   nearest.reserve(features.Count());
-  for (std::future<Nearest>& task : tasks) {
-    const Nearest part = task.get();
+  while (tasks.NumPending() > 0) {
+    const Nearest part = tasks.TakeNext();
     nearest.insert(nearest.end(), part.begin(), part.end());
   }
   return nearest;

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <regex>
 #include <stdexcept>
 
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/image_bytes.h"
-#include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/ros/map_frames.h"
 #include "rovio_sfm/scene/ids.h"
 
 namespace rovio_sfm {
@@ -20,62 +19,27 @@ const char* const kTransforms = "/tf";
 const char* const kStaticTransforms = "/tf_static";
 constexpr double kForeverS = 1e6;
 
-std::string TopicOf(const BagDrive& drive, const char* name) {
-  return "/" + drive.robot + "/" + name;
-}
-
 SensorOptions ForWholeBag(SensorOptions options, const std::string& robot) {
   options.odom_memory_s = kForeverS;
   if (options.base_frame.empty()) options.base_frame = robot + "/base_link";
   return options;
 }
 
-// The image topic of every robot; compressed ones win.
-std::map<std::string, std::string> ImageTopics(const rosbag::Bag& bag) {
-  const std::regex pattern("/([a-z][a-z0-9_]*)/image_raw(/compressed)?");
-  std::map<std::string, std::string> topics;
-  rosbag::View view(bag);
-  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
-    std::smatch match;
-    if (!std::regex_match(connection->topic, match, pattern)) continue;
-    std::string& topic = topics[match[1]];
-    topic = std::max(topic, connection->topic);  // the compressed one is the longer
-  }
-  return topics;
-}
-
-void OpenBag(const std::filesystem::path& path, rosbag::Bag* bag) {
-  try {
-    bag->open(path.string(), rosbag::bagmode::Read);
-  } catch (const rosbag::BagException& error) {
-    throw std::runtime_error(path.string() + ": " + error.what());
-  }
-}
-
 }  // namespace
 
-std::vector<BagDrive> FindDrives(const std::vector<std::filesystem::path>& bags) {
-  std::vector<BagDrive> drives;
-  for (const std::filesystem::path& path : bags) {
-    rosbag::Bag bag;
-    OpenBag(path, &bag);
-    const std::map<std::string, std::string> topics = ImageTopics(bag);
-    if (topics.empty()) {
-      throw std::runtime_error(path.string() +
-                               ": no topic /<robot>/image_raw or /<robot>/image_raw/compressed");
-    }
-    for (const auto& [robot, topic] : topics) drives.push_back({path, robot, topic});
-  }
-  return drives;
-}
-
-BagImages::BagImages(const BagDrive& drive, SensorOptions options)
+BagImages::BagImages(const BagDrive& drive, const SensorOptions& options,
+                     const std::optional<Camera>& camera)
     : drive_(drive),
       transforms_(ros::Duration(kForeverS)),
-      sensors_(ForWholeBag(std::move(options), drive.robot), &transforms_) {
+      sensors_(ForWholeBag(options, drive.robot), &transforms_),
+      base_frame_(ForWholeBag(options, drive.robot).base_frame) {
   OpenBag(drive.bag, &bag_);
-  ReadMotion(TopicOf(drive, topics::kOdom));
-  ReadCameras(TopicOf(drive, topics::kCameraInfo));
+  ReadMotion(drive.odom_topic);
+  if (camera) {
+    cameras_.emplace(ros::Time(), ToCameraInfo(*camera, 0, ""));
+  } else {
+    ReadCameras(drive.info_topic);
+  }
   view_ = std::make_unique<rosbag::View>(bag_, rosbag::TopicQuery(drive.image_topic));
   num_images_ = view_->size();
   next_ = view_->begin();
@@ -92,7 +56,10 @@ void BagImages::ReadCameras(const std::string& info_topic) {
       ++num_refused_;
     }
   }
-  if (cameras_.empty()) throw std::runtime_error(drive_.bag.string() + ": " + error);
+  if (!cameras_.empty()) return;
+  throw std::runtime_error(drive_.bag.string() + ": " + error +
+                           "; --calibration gives a file instead, --camera-info-topic one of: " +
+                           TopicsOfType(bag_, {"sensor_msgs/CameraInfo"}));
 }
 
 void BagImages::ReadMotion(const std::string& odom_topic) {
@@ -105,7 +72,12 @@ void BagImages::ReadMotion(const std::string& odom_topic) {
     }
     const auto odometry = message.instantiate<nav_msgs::Odometry>();
     std::string error;
-    if (odometry == nullptr || !sensors_.AddOdometry(*odometry, &error)) ++num_refused_;
+    if (odometry != nullptr && sensors_.AddOdometry(*odometry, &error)) {
+      ++num_odometry_;
+      continue;
+    }
+    ++num_refused_;
+    if (odometry_refusal_.empty()) odometry_refusal_ = error;
   }
 }
 
@@ -113,6 +85,10 @@ void BagImages::ReadTransforms(const rosbag::MessageInstance& message) {
   const auto list = message.instantiate<tf2_msgs::TFMessage>();
   if (list == nullptr) return;
   for (const geometry_msgs::TransformStamped& transform : list->transforms) {
+    if (IsMapEdge(transform)) {
+      ++num_map_edges_;
+      continue;
+    }
     transforms_.setTransform(transform, "bag", message.getTopic() == kStaticTransforms);
   }
 }
@@ -149,7 +125,40 @@ std::optional<ImageEvent> BagImages::ReadImage(const rosbag::MessageInstance& me
   if (bytes == nullptr || !sensors_.AddCameraInfo(CameraAt(header.stamp), &error)) {
     return std::nullopt;
   }
-  return sensors_.MakeEvent({ToNanoseconds(header.stamp), header.frame_id, name, bytes});
+  ImageEvent event =
+      sensors_.MakeEvent({ToNanoseconds(header.stamp), header.frame_id, name, bytes});
+  CountMotion(event);
+  return event;
+}
+
+void BagImages::CountMotion(const ImageEvent& event) {
+  camera_frame_ = event.camera_frame;
+  if (event.base_from_camera) ++num_with_head_;
+  if (event.odometry && event.base_from_camera) ++num_metric_;
+}
+
+std::string BagImages::FramesText() const {
+  std::vector<std::string> frames;
+  transforms_._getFrameStrings(frames);
+  std::sort(frames.begin(), frames.end());
+  std::string text;
+  for (const std::string& frame : frames) text += (text.empty() ? "" : ", ") + frame;
+  return text.empty() ? "none" : text;
+}
+
+std::optional<std::string> BagImages::WhyNotMetric() const {
+  if (num_metric_ > 0) return std::nullopt;
+  if (num_odometry_ == 0) {
+    if (!odometry_refusal_.empty()) return "all odometry was refused: " + odometry_refusal_;
+    return "no odometry on " + drive_.odom_topic +
+           " (--odom-topic; nav_msgs/Odometry is on: " + TopicsOfType(bag_, {"nav_msgs/Odometry"}) +
+           ")";
+  }
+  if (num_with_head_ == 0) {
+    return "no tf between " + base_frame_ + " and the images' frame '" + camera_frame_ +
+           "' (--base-frame; frames in the bag: " + FramesText() + ")";
+  }
+  return "odometry and tf never cover the same image's stamp";
 }
 
 }  // namespace rovio_sfm

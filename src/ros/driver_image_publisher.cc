@@ -5,6 +5,7 @@
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/image_encodings.h>
 
+#include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 
 #include "rovio_sfm/ros/topics.h"
@@ -34,7 +35,22 @@ DriverImagePublisher::DriverImagePublisher(const ros::NodeHandle& handle,
       info_(handle_.advertise<sensor_msgs::CameraInfo>(topics::kCameraInfo,
                                                        topics::kCameraInfoQueue)),
       decoded_(transport_.advertise(topics::kImageRaw, topics::kImageQueue)) {
-  info_manager_.loadCameraInfo(options.camera_info_url);
+  LoadCalibration(options.camera_info_url, options.camera_name);
+}
+
+// A calibration that comes with a package is where a robot begins, never where one is written: that
+// is $ROS_HOME/camera_info/<camera_name>.yaml, which goes before it once it is there.
+void DriverImagePublisher::LoadCalibration(const std::string& url, const std::string& camera_name) {
+  if (url.compare(0, 10, "package://") != 0) {
+    info_manager_.loadCameraInfo(url);
+    return;
+  }
+  info_manager_.setCameraName(std::filesystem::path(url).stem().string());  // as it names itself
+  info_manager_.loadCameraInfo(url);
+  const sensor_msgs::CameraInfo shipped = info_manager_.getCameraInfo();
+  info_manager_.setCameraName(camera_name);
+  info_manager_.loadCameraInfo("");
+  if (!info_manager_.isCalibrated()) info_manager_.setCameraInfo(shipped);
 }
 
 void DriverImagePublisher::Publish(const CameraImage& image) {

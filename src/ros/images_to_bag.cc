@@ -5,58 +5,80 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <memory>
 #include <ostream>
 #include <stdexcept>
 
 #include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/io/odometry_file.h"
+#include "rovio_sfm/io/text_file.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/topics.h"
 
 namespace rovio_sfm {
 namespace {
 
-// Odometry and images have other stamps; rosbag wants no stamp of zero.
 constexpr int64_t kFirstStampNs = 1;
+constexpr uintmax_t kMaxImageBytes = 64u << 20;
 
-std::vector<uint8_t> ReadBytes(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::vector<uint8_t> bytes((std::istreambuf_iterator<char>(file)),
-                             std::istreambuf_iterator<char>());
-  if (!file || bytes.empty()) throw std::runtime_error(path.string() + ": cannot be read");
-  return bytes;
+// ROS takes zero for no stamp, and none before it: what begins at zero begins a nanosecond later.
+int64_t RosStamp(int64_t stamp_ns) {
+  if (stamp_ns >= 0) return std::max(kFirstStampNs, stamp_ns);
+  throw std::runtime_error("stamp " + DecimalFromStamp(stamp_ns) + " s: ROS has none before zero");
 }
 
-// Writes the messages of one robot.
+// Writes the messages of one robot, and leaves nothing behind unless closed.
 class BagWriter {
  public:
-  BagWriter(const std::string& robot, const std::string& path)
-      : robot_(robot), bag_(path, rosbag::bagmode::Write) {}
+  BagWriter(const std::string& robot, const std::filesystem::path& path)
+      : robot_(robot), path_(path), bag_(std::make_unique<rosbag::Bag>()) {
+    bag_->open(path.string(), rosbag::bagmode::Write);
+  }
+  // Where nothing more can be written rosbag's own destructor throws, which ends the program.
+  ~BagWriter() {
+    if (!bag_) return;
+    try {
+      bag_->close();
+    } catch (const std::exception&) {
+      static_cast<void>(bag_.release());
+    }
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  BagWriter(const BagWriter&) = delete;
+  BagWriter& operator=(const BagWriter&) = delete;
 
   void WriteImage(const DatasetImage& image, const Camera& camera) {
     sensor_msgs::CompressedImage message;
-    message.header.stamp = ToTime(image.stamp_ns);
+    const int64_t stamp_ns = RosStamp(image.stamp_ns);
+    message.header.stamp = ToTime(stamp_ns);
     message.header.frame_id = robot_ + "/camera_optical";
-    message.data = ReadBytes(image.path);
+    message.data = ReadBytes(image.path, kMaxImageBytes);
+    if (message.data.empty()) throw std::runtime_error(image.path.string() + ": empty");
     message.format = message.data.front() == 0xFF ? "jpeg" : "png";
-    bag_.write(Topic(topics::kCameraInfo), message.header.stamp,
-               ToCameraInfo(camera, image.stamp_ns, message.header.frame_id));
+    bag_->write(Topic(topics::kCameraInfo), message.header.stamp,
+                ToCameraInfo(camera, stamp_ns, message.header.frame_id));
     if (image.base_from_camera) {
       std_msgs::Header base = message.header;
       base.frame_id = robot_ + "/base_link";
       WriteTransform(base, message.header.frame_id, *image.base_from_camera, base.stamp);
     }
-    bag_.write(Topic(topics::kImageCompressed), message.header.stamp, message);
+    bag_->write(Topic(topics::kImageCompressed), message.header.stamp, message);
   }
 
   void WriteOdometry(const StampedOdometry& odometry) {
-    bag_.write(
-        Topic(topics::kOdom), ToTime(std::max(kFirstStampNs, odometry.stamp_ns)),
-        ToOdometry(odometry.sample, odometry.stamp_ns, robot_ + "/odom", robot_ + "/base_link"));
+    const int64_t stamp_ns = RosStamp(odometry.stamp_ns);
+    bag_->write(Topic(topics::kOdom), ToTime(stamp_ns),
+                ToOdometry(odometry.sample, stamp_ns, robot_ + "/odom", robot_ + "/base_link"));
   }
 
-  void Close() { bag_.close(); }
+  void Close() {
+    bag_->close();
+    bag_.reset();
+  }
 
  private:
   std::string Topic(const char* name) const { return "/" + robot_ + "/" + name; }
@@ -68,11 +90,12 @@ class BagWriter {
     message.transforms[0].header = parent;
     message.transforms[0].child_frame_id = child;
     message.transforms[0].transform = ToTransform(parent_from_child);
-    bag_.write("/tf", time, message);
+    bag_->write("/tf", time, message);
   }
 
   std::string robot_;
-  rosbag::Bag bag_;
+  std::filesystem::path path_;
+  std::unique_ptr<rosbag::Bag> bag_;  // null: closed
 };
 
 std::vector<StampedOdometry> ReadAllOdometry(const std::filesystem::path& folder) {
@@ -103,9 +126,15 @@ void WriteBag(const DatasetFolder& dataset, const std::string& robot,
     throw std::runtime_error(bag_path.string() + ": exists already (--overwrite replaces it)");
   }
   const std::filesystem::path unfinished = bag_path.string() + ".active";
-  BagWriter writer(robot, unfinished.string());
-  WriteInOrder(dataset, &writer);
-  writer.Close();
+  errno = 0;
+  try {
+    BagWriter writer(robot, unfinished);
+    WriteInOrder(dataset, &writer);
+    writer.Close();
+  } catch (const rosbag::BagException& error) {
+    throw std::runtime_error(bag_path.string() + ": " + error.what() +
+                             (errno == 0 ? "" : std::string(" (") + std::strerror(errno) + ")"));
+  }
   std::filesystem::rename(unfinished, bag_path);
 }
 

@@ -1,6 +1,9 @@
 #include "rovio_sfm/ros/map_frames.h"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
+#include <regex>
 
 #include "rovio_sfm/report/level_session.h"
 #include "rovio_sfm/ros/conversions.h"
@@ -52,6 +55,20 @@ std::string MapFrame() { return "map"; }
 
 std::string SessionFrame(SessionId session) {
   return "session_" + std::to_string(session.value) + "/map";
+}
+
+bool IsMapEdge(const geometry_msgs::TransformStamped& edge) {
+  static const std::regex session_frame("/?session_[0-9]+/map");
+  return std::regex_match(edge.header.frame_id, session_frame) ||
+         std::regex_match(edge.child_frame_id, session_frame);
+}
+
+tf2_msgs::TFMessage WithoutMapEdges(const tf2_msgs::TFMessage& message) {
+  tf2_msgs::TFMessage inputs;
+  std::copy_if(message.transforms.begin(), message.transforms.end(),
+               std::back_inserter(inputs.transforms),
+               [](const geometry_msgs::TransformStamped& edge) { return !IsMapEdge(edge); });
+  return inputs;
 }
 
 std::vector<geometry_msgs::TransformStamped> MapEdges(const MapPicture& picture,

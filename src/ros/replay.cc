@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 
@@ -13,6 +14,7 @@
 #include "rovio_sfm/app/place_model_option.h"
 #include "rovio_sfm/app/progress_bar.h"
 #include "rovio_sfm/app/write_map_files.h"
+#include "rovio_sfm/io/calibration.h"
 #include "rovio_sfm/ros/bag_images.h"
 #include "rovio_sfm/ros/bag_pictures.h"
 #include "rovio_sfm/util/steady_clock.h"
@@ -24,6 +26,9 @@ struct Arguments : MappingArguments {
   std::vector<std::string> bags;
   std::string frontend_file, mapper_file;
   SensorOptions sensors;
+  BagTopics topics;
+  std::string calibration_file;
+  std::optional<Camera> camera;  // of that file
 };
 
 void Declare(Arguments* arguments, CLI::App* app) {
@@ -34,7 +39,33 @@ void Declare(Arguments* arguments, CLI::App* app) {
                   "an image was taken so long before its stamp, s");
   app->add_option("--odom-latency", arguments->sensors.odom_latency_s,
                   "so was an odometry sample, s");
+  app->add_option("--base-frame", arguments->sensors.base_frame,
+                  "tf frame of the robot's body; <robot>/base_link if not given");
+  app->add_option("--image-topic", arguments->topics.image,
+                  "the images to map; /<robot>/image_raw[/compressed] of all robots if not given");
+  app->add_option("--camera-info-topic", arguments->topics.camera_info,
+                  "camera_info beside the images if not given");
+  app->add_option("--odom-topic", arguments->topics.odom, "/<robot>/odom if not given");
+  app->add_option("--calibration", arguments->calibration_file,
+                  "instead of camera_info: calibration.txt, or camera_info as .yaml");
   DeclareMappingArguments(app, arguments);
+}
+
+std::optional<Camera> ReadCalibration(const std::filesystem::path& path) {
+  if (path.empty()) return std::nullopt;
+  const bool is_yaml = path.extension() == ".yaml" || path.extension() == ".yml";
+  return is_yaml ? ReadCameraInfo(path) : ReadCalibrationText(path);
+}
+
+// What a reader of the result should know of its drive.
+void TellDrive(const BagDrive& drive, const BagImages& images, std::ostream& out) {
+  if (images.NumMapEdges() > 0) {
+    out << images.NumMapEdges() << " transforms of the map that was made while recording "
+        << drive.bag.string() << " left out\n";
+  }
+  if (const auto reason = images.WhyNotMetric()) {
+    out << drive.robot << ": not in metres: " << *reason << "\n";
+  }
 }
 
 template <typename Options>
@@ -53,13 +84,14 @@ void CompleteOptions(Arguments* arguments) {
   LoadFile(arguments->mapper_file, &arguments->mapper.mapper);
   CompleteMappingArguments(arguments);
   RequireValid(arguments->sensors);
+  arguments->camera = ReadCalibration(arguments->calibration_file);
 }
 
 std::shared_ptr<const MapSnapshot> MapBags(const std::vector<BagDrive>& drives,
                                            const Arguments& arguments, OfflineMapper* mapper,
                                            std::ostream& out, std::ostream& progress) {
   for (const BagDrive& drive : drives) {
-    BagImages images(drive, arguments.sensors);
+    BagImages images(drive, arguments.sensors, arguments.camera);
     ProgressBar bar(images.Count(), &progress);
     const double start_s = SteadySeconds();
     mapper->StartDrive(drive.robot);
@@ -71,6 +103,7 @@ std::shared_ptr<const MapSnapshot> MapBags(const std::vector<BagDrive>& drives,
     bar.Finish(SteadySeconds() - start_s);
     out << drive.bag.string() << ": " << num_done << " images of " << drive.robot << ", "
         << images.NumRefused() << " messages refused\n";
+    TellDrive(drive, images, out);
   }
   const std::shared_ptr<const MapSnapshot> snapshot = mapper->Finish();
   out << mapper->mapper_counters().global_adjustments << " global adjustments\n";
@@ -87,7 +120,7 @@ int ReplayCommand(int argc, const char* const* argv, std::ostream& out, std::ost
   cv::setNumThreads(1);  // the threads are ours
   CompleteOptions(&arguments);
   PrepareResultFolder(arguments, "cloud.ply");
-  const std::vector<BagDrive> drives = FindDrives({arguments.bags.begin(), arguments.bags.end()});
+  const std::vector<BagDrive> drives = FindDrives({arguments.bags.begin(), arguments.bags.end()}, arguments.topics);
   const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
   OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), nullptr,
                        store ? &store->store() : nullptr);

@@ -8,25 +8,27 @@
 #include <stdexcept>
 
 #include "rovio_sfm/app/command_arguments.h"
-#include "rovio_sfm/features/decode_image.h"
 #include "rovio_sfm/io/calibration.h"
-#include "rovio_sfm/io/text_file.h"
 #include "rovio_sfm/io/write_file.h"
 #include "rovio_sfm/tools/list_images.h"
+#include "rovio_sfm/tools/read_picture.h"
 #include "rovio_sfm/util/check_options.h"
 
 namespace rovio_sfm {
 namespace {
 
-constexpr uintmax_t kMaxImageBytes = 64u << 20;
 constexpr int64_t kMaxPixels = 32'000'000;
 constexpr int kSubPixelWindow = 5;  // px, half size
 const cv::TermCriteria kSubPixelEnd(cv::TermCriteria::EPS + cv::TermCriteria::COUNT, 50, 1e-3);
 
+// Empty, and told on the log, where it cannot be read.
 cv::Mat ReadGrey(const std::filesystem::path& path) {
-  const DecodeResult decoded = DecodeImage(ReadBytes(path, kMaxImageBytes), kMaxPixels);
-  if (decoded.bgr.empty()) throw std::runtime_error(path.string() + ": " + decoded.reason);
+  const DecodeResult decoded = ReadPicture(path, kMaxPixels);
   cv::Mat grey;
+  if (decoded.bgr.empty()) {
+    TellLeftOut(decoded.reason);
+    return grey;
+  }
   cv::cvtColor(decoded.bgr, grey, cv::COLOR_BGR2GRAY);
   return grey;
 }
@@ -78,6 +80,7 @@ CalibrationReport CalibrateCamera(const std::vector<std::filesystem::path>& imag
   std::vector<std::vector<cv::Point2f>> corners_px;
   for (const std::filesystem::path& path : images) {
     const cv::Mat grey = ReadGrey(path);
+    if (grey.empty()) continue;
     if (size.area() > 0 && grey.size() != size)
       throw std::runtime_error(path.string() + ": other size");
     size = grey.size();

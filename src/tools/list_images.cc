@@ -1,13 +1,16 @@
 #include "rovio_sfm/tools/list_images.h"
 
 #include <algorithm>
+#include <cctype>
 #include <stdexcept>
 
 namespace rovio_sfm {
 namespace {
 
 bool IsImage(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   return extension == ".jpg" || extension == ".jpeg" || extension == ".png";
 }
 

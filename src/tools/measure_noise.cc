@@ -7,14 +7,12 @@
 #include <stdexcept>
 
 #include "rovio_sfm/app/command_arguments.h"
-#include "rovio_sfm/features/decode_image.h"
-#include "rovio_sfm/io/text_file.h"
 #include "rovio_sfm/tools/list_images.h"
+#include "rovio_sfm/tools/read_picture.h"
 
 namespace rovio_sfm {
 namespace {
 
-constexpr uintmax_t kMaxImageBytes = 64u << 20;
 constexpr int64_t kMaxPixels = 32'000'000;
 constexpr int kClippedMargin = 3;  // grey levels
 
@@ -22,15 +20,11 @@ constexpr int kClippedMargin = 3;  // grey levels
 struct PixelSums {
   cv::Mat sum, squared_sum;  // CV_64FC3
   double num_clipped = 0.0, num_values = 0.0;
+  size_t num_pictures = 0;
 };
 
-cv::Mat ReadPicture(const std::filesystem::path& path) {
-  const DecodeResult decoded = DecodeImage(ReadBytes(path, kMaxImageBytes), kMaxPixels);
-  if (decoded.bgr.empty()) throw std::runtime_error(path.string() + ": " + decoded.reason);
-  return decoded.bgr;
-}
-
 void Add(const cv::Mat& bgr, PixelSums* sums) {
+  ++sums->num_pictures;
   cv::Mat low, high, value;
   cv::inRange(bgr.reshape(1), 0, kClippedMargin, low);
   cv::inRange(bgr.reshape(1), 255 - kClippedMargin, 255, high);
@@ -49,20 +43,24 @@ void Add(const cv::Mat& bgr, PixelSums* sums) {
 }  // namespace
 
 NoiseReport MeasureNoise(const std::vector<std::filesystem::path>& images) {
-  if (images.size() < 2) throw std::runtime_error("measure_noise needs two pictures or more");
   PixelSums sums;
   for (const std::filesystem::path& path : images) {
-    const cv::Mat picture = ReadPicture(path);
-    if (!sums.sum.empty() && picture.size() != sums.sum.size()) {
+    const DecodeResult picture = ReadPicture(path, kMaxPixels);
+    if (picture.bgr.empty()) {
+      TellLeftOut(picture.reason);
+      continue;
+    }
+    if (!sums.sum.empty() && picture.bgr.size() != sums.sum.size()) {
       throw std::runtime_error(path.string() + ": other size than the first picture");
     }
-    Add(picture, &sums);
+    Add(picture.bgr, &sums);
   }
-  const double count = static_cast<double>(images.size());
+  if (sums.num_pictures < 2) throw std::runtime_error("measure_noise needs two pictures or more");
+  const double count = static_cast<double>(sums.num_pictures);
   const cv::Mat scatter = sums.squared_sum - sums.sum.mul(sums.sum) / count;
   const cv::Scalar variance = cv::mean(scatter / (count - 1.0));
   NoiseReport report;
-  report.num_pictures = images.size();
+  report.num_pictures = sums.num_pictures;
   for (int channel = 0; channel < 3; ++channel) {
     report.sigma_bgr[static_cast<size_t>(channel)] = std::sqrt(variance[channel]);
   }

@@ -2,31 +2,24 @@
 
 #include <algorithm>
 #include <ctime>
-#include <future>
 #include <limits>
 #include <map>
 #include <stdexcept>
 
-#include "rovio_sfm/features/decode_image.h"
 #include "rovio_sfm/frontend/prepare_image.h"
-#include "rovio_sfm/io/text_file.h"
 #include "rovio_sfm/places/tf_idf.h"
 #include "rovio_sfm/scene/memory_frame_store.h"
+#include "rovio_sfm/tools/read_picture.h"
 #include "rovio_sfm/util/executor.h"
 
 namespace rovio_sfm {
 namespace {
 
-constexpr uintmax_t kMaxImageBytes = 64u << 20;
-
 PlaceImage ExtractPlaceImage(const PlaceImages& images, uint32_t index, uint32_t folder,
                              const FrontendOptions& options) {
   const DatasetImage& source = images.dataset.images[index];
-  const DecodeResult decoded =
-      DecodeImage(ReadBytes(source.path, kMaxImageBytes), options.max_pixels);
-  if (decoded.bgr.empty()) {
-    throw std::runtime_error(source.path.string() + ": " + decoded.reason);
-  }
+  const DecodeResult decoded = ReadPicture(source.path, options.max_pixels);
+  if (decoded.bgr.empty()) throw std::runtime_error(decoded.reason);
   PlaceImage image;
   image.name = images.dataset.path.filename().string() + "/" + source.path.filename().string();
   image.id = {{"folder_" + std::to_string(folder), folder, 0}, index};
@@ -98,14 +91,14 @@ CandidateOptions OnlyTheBest() {
 std::vector<PlaceImage> ExtractPlaceImages(const PlaceImages& images, uint32_t folder,
                                            const FrontendOptions& options, int num_threads) {
   Executor executor(num_threads > 1 ? num_threads : 0);
-  std::vector<std::future<PlaceImage>> futures;
+  TaskGroup<PlaceImage> tasks(&executor);
   for (const uint32_t index : images.indices) {
-    futures.push_back(executor.Submit([&images, index, folder, &options] {
+    tasks.Add([&images, index, folder, &options] {
       return ExtractPlaceImage(images, index, folder, options);
-    }));
+    });
   }
   std::vector<PlaceImage> extracted;
-  for (std::future<PlaceImage>& future : futures) extracted.push_back(future.get());
+  while (tasks.NumPending() > 0) extracted.push_back(tasks.TakeNext());
   return extracted;
 }
 

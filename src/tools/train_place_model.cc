@@ -67,13 +67,12 @@ ClusterState FindWords(const Descriptors& features, const TrainPlacesOptions& op
 
 std::vector<WordBag> QuantizeAll(const std::vector<Descriptors>& images,
                                  const Vocabulary& vocabulary, Executor* executor) {
-  std::vector<std::future<WordBag>> tasks;
+  TaskGroup<WordBag> tasks(executor);
   for (const Descriptors& image : images) {
-    tasks.push_back(
-        executor->Submit([&image, &vocabulary] { return BagOfWords(vocabulary.Quantize(image)); }));
+    tasks.Add([&image, &vocabulary] { return BagOfWords(vocabulary.Quantize(image)); });
   }
   std::vector<WordBag> bags;
-  for (std::future<WordBag>& task : tasks) bags.push_back(task.get());
+  while (tasks.NumPending() > 0) bags.push_back(tasks.TakeNext());
   return bags;
 }
 
@@ -121,7 +120,7 @@ TrainingResult TrainPlaces(const std::vector<std::filesystem::path>& images,
       PairsOfLooks(features, model.training_bags, model.vocabulary, executor), model.tree);
   const double p_z_given_e = options.p_z_given_e.value_or(result.detector.p_z_given_e);
   model.detector.p_z_given_e = std::clamp(p_z_given_e, 0.01, 0.99);
-  model.provenance = ProvenanceOf(images.size(), options);
+  model.provenance = ProvenanceOf(features.images.size(), options);
   return result;
 }
 

@@ -1,31 +1,22 @@
 #include "rovio_sfm/tools/training_images.h"
 
 #include <algorithm>
-#include <deque>
-#include <future>
 #include <stdexcept>
 #include <utility>
 
-#include "rovio_sfm/features/decode_image.h"
 #include "rovio_sfm/frontend/prepare_image.h"
-#include "rovio_sfm/io/text_file.h"
+#include "rovio_sfm/tools/read_picture.h"
 
 namespace rovio_sfm {
 namespace {
 
-constexpr uintmax_t kMaxImageBytes = 64u << 20;
 constexpr size_t kMaxAhead = 32;  // images in work
 
 struct TwoLooks {
+  std::string fault;  // why the image cannot be used; empty: it can
   Descriptors first;
   Descriptors second;  // empty where no second look was asked for
 };
-
-cv::Mat ReadImage(const std::filesystem::path& path, int max_pixels) {
-  DecodeResult decoded = DecodeImage(ReadBytes(path, kMaxImageBytes), max_pixels);
-  if (decoded.bgr.empty()) throw std::runtime_error(path.string() + ": " + decoded.reason);
-  return decoded.bgr;
-}
 
 // Only descriptors are wanted, so any camera without distortion will do.
 Descriptors DescribeImage(const cv::Mat& bgr, const FrontendOptions& options) {
@@ -41,15 +32,20 @@ Descriptors DescribeImage(const cv::Mat& bgr, const FrontendOptions& options) {
 // second_look: null where one look is enough.
 TwoLooks LookAt(const std::filesystem::path& path, const FrontendOptions& frontend,
                 const SecondLookOptions* second_look, Rng* rng) {
-  const cv::Mat bgr = ReadImage(path, frontend.max_pixels);
-  TwoLooks looks{DescribeImage(bgr, frontend), {}};
+  const DecodeResult picture = ReadPicture(path, frontend.max_pixels);
+  if (picture.bgr.empty()) return {picture.reason, {}, {}};
+  TwoLooks looks{"", DescribeImage(picture.bgr, frontend), {}};
   if (second_look == nullptr) return looks;
-  looks.second = DescribeImage(TakeSecondLook(bgr, *second_look, rng), frontend);
+  looks.second = DescribeImage(TakeSecondLook(picture.bgr, *second_look, rng), frontend);
   return looks;
 }
 
-void Take(TwoLooks looks, size_t step, TrainingFeatures* features) {
-  if (features->images.size() % step == 0) {
+void Take(TwoLooks looks, bool looked_twice, TrainingFeatures* features) {
+  if (!looks.fault.empty()) {
+    TellLeftOut(looks.fault);
+    return;
+  }
+  if (looked_twice) {
     features->looked_at.push_back(static_cast<uint32_t>(features->images.size()));
     features->second_looks.push_back(std::move(looks.second));
   }
@@ -65,20 +61,21 @@ TrainingFeatures ExtractTrainingFeatures(const std::vector<std::filesystem::path
   Rng rng(seed);
   const size_t max_pairs = static_cast<size_t>(second_look.max_pairs);
   const size_t step = std::max<size_t>(1, (images.size() + max_pairs - 1) / max_pairs);
-  std::deque<std::future<TwoLooks>> tasks;
   TrainingFeatures features;
-  for (size_t i = 0; i < images.size() || !tasks.empty();) {
-    if (i < images.size() && tasks.size() < kMaxAhead) {
-      tasks.push_back(executor->Submit([&, i, image_rng = rng.Fork(i)]() mutable {
+  TaskGroup<TwoLooks> tasks(executor);
+  size_t num_taken = 0;
+  for (size_t i = 0; num_taken < images.size();) {
+    if (i < images.size() && tasks.NumPending() < kMaxAhead) {
+      tasks.Add([&, i, image_rng = rng.Fork(i)]() mutable {
         return LookAt(images[i], frontend, i % step == 0 ? &second_look : nullptr, &image_rng);
-      }));
+      });
       ++i;
       continue;
     }
-    Take(tasks.front().get(), step, &features);
-    tasks.pop_front();
-    progress("features", features.images.size(), images.size());
+    Take(tasks.TakeNext(), num_taken % step == 0, &features);
+    progress("features", ++num_taken, images.size());
   }
+  if (features.images.empty()) throw std::runtime_error("none of the images can be used");
   return features;
 }
 

@@ -189,7 +189,8 @@ TEST(MapperMerge, NothingWaitsForAnAdjustmentThatIsNotReady) {
   MemoryFrameStore store;
   Executor executor{1};
   std::promise<void> solver_is_free;
-  executor.Submit([&solver_is_free] { solver_is_free.get_future().wait(); });
+  executor.Submit([](const std::shared_future<void>& free) { free.wait(); },
+                  solver_is_free.get_future().share());
   Mapper mapper({}, &store, &executor, nullptr, ResultTiming::kWhenReady);
   for (uint32_t i = 0; i < kBefore; ++i) mapper.Add(two.a[i]);
   for (uint32_t i = 0; i < kBefore; ++i) mapper.Add(two.b[i]);

@@ -26,6 +26,19 @@ TEST(DecodeImage, ReadsJpegAndPng) {
   }
 }
 
+// A sensor of 12 bits in words of 16.
+TEST(DecodeImage, StretchesWhatFillsTheLowerBitsOfSixteen) {
+  const cv::Mat eight = TexturedImage(64, 48, 1);
+  cv::Mat twelve;
+  eight.convertTo(twelve, CV_16U, 16.0);
+  twelve.at<cv::Vec3w>(0, 0) = {4095, 4095, 4095};
+  std::vector<uint8_t> bytes;
+  cv::imencode(".png", twelve, bytes);
+  const cv::Mat bgr = DecodeImage(bytes, kManyPixels).bgr;
+  ASSERT_EQ(bgr.type(), CV_8UC3);
+  EXPECT_LE(cv::norm(bgr.rowRange(1, 48), eight.rowRange(1, 48), cv::NORM_INF), 1.0);
+}
+
 TEST(DecodeImage, RefusesByTheHeaderAlone) {
   for (const char* extension : {".jpg", ".png"}) {
     EXPECT_EQ(DecodeImage(Encode(extension), 64 * 48 - 1).reason,

@@ -43,6 +43,34 @@ TEST(ReadDatasetFolder, DoesWithoutOptionalFiles) {
   EXPECT_FALSE(dataset.images[0].base_from_camera.has_value());
 }
 
+TEST(ReadDatasetFolder, TakesWhatEditorsAndNumpyWrite) {
+  const TemporaryFolder folder;
+  WriteDataset(folder);
+  folder.Write("images/with two blanks.jpg", "");
+  folder.Write("times.txt",
+               "\xEF\xBB\xBF# timestamp filename\r\n1.000000000000000000e+01 images/a.jpg\r\n"
+               "+1.05e1 \t images/with two blanks.jpg \r\n");
+  const DatasetFolder dataset = ReadDatasetFolder(folder.Path());
+  ASSERT_EQ(dataset.images.size(), 2u);
+  EXPECT_EQ(dataset.images[0].stamp_ns, 10000000000);
+  EXPECT_EQ(dataset.images[1].stamp_ns, 10500000000);
+  EXPECT_EQ(dataset.images[1].name, "images/with two blanks.jpg");
+}
+
+TEST(ReadDatasetFolder, LeavesOutALateImage) {
+  const TemporaryFolder folder;
+  WriteDataset(folder);
+  std::filesystem::remove(folder.Path() / "overlaps.txt");
+  folder.Write("times.txt",
+               "10 images/a.jpg\n10 images/b.jpg\n9.5 images/b.jpg\n11 images/c.jpg\n");
+  const DatasetFolder dataset = ReadDatasetFolder(folder.Path());
+  ASSERT_EQ(dataset.images.size(), 2u);
+  EXPECT_EQ(dataset.images[1].name, "images/c.jpg");
+  folder.Write("times.txt", "10 images/a.jpg\n8.9 images/b.jpg\n");
+  EXPECT_NE(MessageOf([&] { ReadDatasetFolder(folder.Path()); }).find("times.txt:2"),
+            std::string::npos);
+}
+
 TEST(ReadDatasetFolder, NamesWhatIsWrong) {
   const std::pair<const char*, const char*> bad[] = {
       {"times.txt", "10 ../a.jpg\n"},

@@ -13,8 +13,24 @@ TEST(StampFromDecimal, IsExactWhereDoublesAreNot) {
   EXPECT_EQ(StampFromDecimal("-1.5"), -1500000000);
 }
 
+TEST(StampFromDecimal, ReadsWhatNumpyWrites) {
+  EXPECT_EQ(StampFromDecimal("1.305031102175303936e+09"), 1305031102175303936);
+  EXPECT_EQ(StampFromDecimal("0.000000000000000000e+00"), 0);
+  EXPECT_EQ(StampFromDecimal("+1.5E2"), 150000000000);
+  EXPECT_EQ(StampFromDecimal("12.5e-3"), 12500000);
+  EXPECT_EQ(StampFromDecimal("5e-9"), 5);
+}
+
+TEST(StampFromDecimal, TellsNanosecondsFromSeconds) {
+  EXPECT_EQ(StampFromDecimal("1403636579763555584"), 1403636579763555584);
+  EXPECT_EQ(StampFromDecimal("1.403636579763555584e+18"), 1403636579763555584);
+  EXPECT_EQ(StampFromDecimal("0001403636579"), 1403636579000000000);
+}
+
 TEST(StampFromDecimal, RefusesWhatIsNoDecimal) {
-  for (const char* text : {"", ".", "-", "1e5", "1.2.3", "abc", "nan", "99999999999", "1.-5"}) {
+  for (const char* text :
+       {"", ".", "-", "1e99", "1e", "e5", "1e5.0", "1.2.3", "abc", "nan", "99999999999",
+        "1305031102175", "1305031102175304", "99999999999999999999", "1.-5"}) {
     EXPECT_FALSE(StampFromDecimal(text).has_value()) << text;
   }
 }
@@ -34,6 +50,29 @@ TEST(ReadTextFile, SkipsCommentsAndKeepsLineNumbers) {
   EXPECT_EQ(lines[0].number, 3);
   EXPECT_EQ(lines[0].fields, (std::vector<std::string>{"1", "2"}));
   EXPECT_EQ(lines[1].number, 5);
+}
+
+TEST(ReadTextFile, PassesOverAByteOrderMark) {
+  const TemporaryFolder folder;
+  const auto lines = ReadTextFile(folder.Write("a.txt",
+                                               "\xEF\xBB\xBF"
+                                               "1 two words \r\n"));
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].Number(0, "one"), 1.0);
+  EXPECT_EQ(lines[0].From(1), "two words");
+  const auto wide = folder.Write("b.txt", std::string("\xFF\xFE"
+                                                      "1\0\n\0",
+                                                      6));
+  EXPECT_NE(MessageOf([&] { ReadTextFile(wide); }).find("UTF-16"), std::string::npos);
+}
+
+TEST(TextLine, ReadsSignsAndExponents) {
+  const TemporaryFolder folder;
+  const auto lines = ReadTextFile(folder.Write("a.txt", "+1.5 -2.5e+01 1e-3 +-1\n"));
+  EXPECT_EQ(lines[0].Number(0, "a"), 1.5);
+  EXPECT_EQ(lines[0].Number(1, "b"), -25.0);
+  EXPECT_EQ(lines[0].Number(2, "c"), 1e-3);
+  EXPECT_THROW(lines[0].Number(3, "d"), std::runtime_error);
 }
 
 TEST(ReadTextFile, SaysWhichFileIsMissing) {

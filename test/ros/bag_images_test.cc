@@ -1,10 +1,12 @@
 #include "rovio_sfm/ros/bag_images.h"
 
 #include <gtest/gtest.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
+#include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/images_to_bag.h"
 
 namespace rovio_sfm {
@@ -92,6 +94,71 @@ TEST_F(BagImagesTest, MissingBagIsNamed) {
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("none.bag"), std::string::npos);
   }
+}
+
+TEST_F(BagImagesTest, SetsThatBeginAtZeroBecomeBags) {
+  for (DatasetImage& image : dataset_.images) image.stamp_ns -= kStartNs;
+  std::filesystem::remove(folder_ / "odometry.txt");
+  BagImages images(FindDrives({Write()})[0], SensorOptions());
+  EXPECT_EQ(images.Next()->stamp_ns, 1);
+  EXPECT_EQ(images.Next()->stamp_ns, kStepNs);
+}
+
+TEST_F(BagImagesTest, WritingRefusesStampsBeforeZeroAndLeavesNothing) {
+  dataset_.images[1].stamp_ns = -5;
+  EXPECT_THROW(Write(), std::runtime_error);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "drive.bag"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "drive.bag.active"));
+}
+
+TEST_F(BagImagesTest, ACalibrationStandsInForCameraInfo) {
+  BagDrive drive = FindDrives({Write()})[0];
+  drive.info_topic = "/absent/camera_info";
+  try {
+    BagImages(drive, SensorOptions());
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("--calibration"), std::string::npos) << message;
+    EXPECT_NE(message.find("/rovio7/camera_info"), std::string::npos) << message;
+  }
+  BagImages images(drive, SensorOptions(), dataset_.camera);
+  EXPECT_EQ(images.Next()->camera, dataset_.camera);
+}
+
+TEST_F(BagImagesTest, SaysWhatAMetricMapLacks) {
+  BagDrive drive = FindDrives({Write()})[0];
+  const auto reason = [](const BagDrive& of, const SensorOptions& options) {
+    BagImages images(of, options);
+    while (images.Next()) {
+    }
+    return images.WhyNotMetric().value_or("");
+  };
+  EXPECT_EQ(reason(drive, SensorOptions()), "");
+  SensorOptions other_base;
+  other_base.base_frame = "base_footprint";
+  const std::string no_tf = reason(drive, other_base);
+  EXPECT_NE(no_tf.find("base_footprint"), std::string::npos) << no_tf;
+  EXPECT_NE(no_tf.find("rovio7/base_link"), std::string::npos) << no_tf;
+  drive.odom_topic = "/absent";
+  const std::string no_odometry = reason(drive, SensorOptions());
+  EXPECT_NE(no_odometry.find("/rovio7/odom"), std::string::npos) << no_odometry;
+}
+
+// Older recordings hold the edges of the mapper that ran beside; here it has another opinion.
+TEST_F(BagImagesTest, LeavesOutTheEdgesOfAnEarlierMap) {
+  const std::filesystem::path path = Write();
+  rosbag::Bag bag(path.string(), rosbag::bagmode::Append);
+  tf2_msgs::TFMessage message;
+  message.transforms.resize(2);
+  message.transforms[0].header.frame_id = "map";
+  message.transforms[0].child_frame_id = "session_1/map";
+  message.transforms[1].header.frame_id = "session_1/map";
+  message.transforms[1].child_frame_id = "rovio7/odom";
+  bag.write("/tf", ToTime(kStartNs), message);
+  bag.close();
+  BagImages images(FindDrives({path})[0], SensorOptions());
+  EXPECT_EQ(images.NumMapEdges(), 2u);
 }
 
 TEST_F(BagImagesTest, WritingRefusesToReplaceABag) {

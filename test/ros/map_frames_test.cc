@@ -118,6 +118,20 @@ TEST(MapFrames, CamerasAreWhereTheCloudOfTheMergedMapHasThem) {
   EXPECT_LT(map_from_camera.rotation.angularDistance(expected.rotation), 1e-6);
 }
 
+TEST(MapFrames, ItsOwnEdgesAreKnownAndThoseOfARobotAreNot) {
+  tf2_msgs::TFMessage message;
+  message.transforms = MapEdges(MetricPicture(), ros::Time(5));
+  for (const auto& edge : message.transforms) EXPECT_TRUE(IsMapEdge(edge)) << edge;
+  geometry_msgs::TransformStamped robot;
+  robot.header.frame_id = "rovio1/odom";
+  robot.child_frame_id = "rovio1/base_link";
+  message.transforms.push_back(robot);
+  robot.header.frame_id = "map";
+  robot.child_frame_id = "dock";
+  message.transforms.push_back(robot);
+  EXPECT_EQ(WithoutMapEdges(message).transforms.size(), 2u);
+}
+
 TEST(MapFrames, AnchorOfAVanishedFrameGivesNoEdge) {
   MapPicture picture = MetricPicture();
   picture.anchors["rovio1"].index = 3;

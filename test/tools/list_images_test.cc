@@ -7,12 +7,15 @@ namespace {
 
 TEST(ListImages, ReplacesFoldersByTheirImagesInOrder) {
   const TemporaryFolder folder;
-  for (const char* name : {"a/2.png", "a/1.jpg", "a/notes.txt", "z.jpeg"}) folder.Write(name, "");
+  for (const char* name : {"a/2.png", "a/1.jpg", "a/notes.txt", "z.jpeg", "a/3.JPG", "a/4.Png"})
+    folder.Write(name, "");
   const auto images = ListImages({folder.Path() / "z.jpeg", folder.Path() / "a"});
-  ASSERT_EQ(images.size(), 3u);
+  ASSERT_EQ(images.size(), 5u);
   EXPECT_EQ(images[0].filename(), "z.jpeg");
   EXPECT_EQ(images[1].filename(), "1.jpg");
   EXPECT_EQ(images[2].filename(), "2.png");
+  EXPECT_EQ(images[3].filename(), "3.JPG");
+  EXPECT_EQ(images[4].filename(), "4.Png");
 }
 
 TEST(ListImages, RefusesWhatHoldsNone) {

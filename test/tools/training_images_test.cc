@@ -33,10 +33,18 @@ TEST(ExtractTrainingFeatures, IsTheSameWithAnyNumberOfThreads) {
   EXPECT_EQ(alone.second_looks[1].data, many.second_looks[1].data);
 }
 
-TEST(ExtractTrainingFeatures, NamesAnImageThatCannotBeRead) {
+TEST(ExtractTrainingFeatures, LeavesOutAndNamesWhatCannotBeRead) {
   const TemporaryFolder folder;
-  const auto broken = folder.Write("broken.jpg", "no image");
-  EXPECT_NE(MessageOf([&] { Extract({broken}, 1); }).find("broken.jpg"), std::string::npos);
+  auto images = WriteTrainingImages(folder, 6);
+  images[3] = folder.Write("broken.jpg", "no image");
+  testing::internal::CaptureStderr();
+  const TrainingFeatures features = Extract(images, 2);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("broken.jpg"), std::string::npos);
+  ASSERT_EQ(features.images.size(), 5u);
+  const TrainingFeatures whole = Extract(WriteTrainingImages(folder, 6), 0);
+  EXPECT_EQ(features.images[3].data, whole.images[4].data);
+  EXPECT_EQ(features.looked_at.size(), features.second_looks.size());
+  EXPECT_THROW(Extract({images[3]}, 1), std::runtime_error);
 }
 
 TEST(ThinFeatures, TakesEvenlyFromAllImages) {

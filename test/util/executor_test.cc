@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -11,10 +13,10 @@ namespace {
 
 std::vector<int> Squares(int num_threads) {
   Executor executor(num_threads);
-  std::vector<std::future<int>> futures;
-  for (int i = 0; i < 200; ++i) futures.push_back(executor.Submit([i] { return i * i; }));
+  TaskGroup<int> tasks(&executor);
+  for (int i = 0; i < 200; ++i) tasks.Add([i] { return i * i; });
   std::vector<int> squares;
-  for (auto& future : futures) squares.push_back(future.get());
+  while (tasks.NumPending() > 0) squares.push_back(tasks.TakeNext());
   return squares;
 }
 
@@ -29,7 +31,8 @@ TEST(Executor, GivesTheSameResultsInTheCallersOrderWithAnyNumberOfThreads) {
 TEST(Executor, RunsAtOnceOnTheCallersThreadWithoutThreads) {
   Executor executor(0);
   std::thread::id seen;
-  executor.Submit([&seen] { seen = std::this_thread::get_id(); });
+  TaskGroup<void> tasks(&executor);
+  tasks.Add([&seen] { seen = std::this_thread::get_id(); });
   EXPECT_EQ(seen, std::this_thread::get_id());
 }
 
@@ -43,7 +46,9 @@ TEST(Executor, OneThreadKeepsTheOrderOfItsTasks) {
   std::vector<int> order;
   {
     Executor executor(1);
-    for (int i = 0; i < 100; ++i) executor.Submit([i, &order] { order.push_back(i); });
+    TaskGroup<void> tasks(&executor);
+    for (int i = 0; i < 100; ++i) tasks.Add([i, &order] { order.push_back(i); });
+    while (tasks.NumPending() > 0) tasks.TakeNext();
   }
   ASSERT_EQ(order.size(), 100u);
   for (int i = 0; i < 100; ++i) EXPECT_EQ(order[static_cast<size_t>(i)], i);
@@ -54,7 +59,8 @@ TEST(Executor, TheDestructorFinishesWhatIsQueued) {
   std::future<int> last;
   {
     Executor executor(1);
-    executor.Submit([gate = release.get_future().share()] { gate.wait(); });
+    executor.Submit([](const std::shared_future<void>& gate) { gate.wait(); },
+                    release.get_future().share());
     last = executor.Submit([] { return 7; });
     release.set_value();
   }
@@ -72,8 +78,46 @@ TEST(Executor, HandsExceptionsToTheOneWhoAsks) {
 
 TEST(Executor, MovesResultsThatCannotBeCopied) {
   Executor executor(1);
-  auto future = executor.Submit([value = 5]() mutable { return std::make_unique<int>(value); });
+  auto future =
+      executor.Submit([](std::unique_ptr<int> value) { return std::make_unique<int>(*value + 1); },
+                      std::make_unique<int>(4));
   EXPECT_EQ(*future.get(), 5);
+}
+
+// What the tasks refer to goes when the exception leaves the scope; none may run after that.
+TEST(TaskGroup, EndsAfterItsTasksWhereAnExceptionEndsTheScope) {
+  for (const int num_threads : {0, 1, 3}) {
+    Executor executor(num_threads);
+    std::atomic<int> num_running{0};
+    bool is_gone = false;
+    std::atomic<int> num_late{0};
+    try {
+      TaskGroup<int> tasks(&executor);
+      for (int i = 0; i < 100; ++i) {
+        tasks.Add([&, i] {
+          ++num_running;
+          if (i == 0) throw std::runtime_error("no");
+          if (is_gone) ++num_late;
+          --num_running;
+          return i;
+        });
+      }
+      tasks.TakeNext();
+      FAIL();
+    } catch (const std::runtime_error&) {
+      is_gone = true;
+      EXPECT_EQ(num_running, 1);  // the one that threw
+    }
+    executor.Submit([] {}).wait();
+    EXPECT_EQ(num_late, 0);
+  }
+}
+
+TEST(TaskGroup, HandsOnResultsThatCannotBeCopied) {
+  Executor executor(1);
+  TaskGroup<std::unique_ptr<int>> tasks(&executor);
+  tasks.Add([value = std::make_unique<int>(7)]() mutable { return std::move(value); });
+  EXPECT_EQ(*tasks.TakeNext(), 7);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ struct DriverOptions {
   CaptureMode capture_mode = CaptureMode::kStream;
   double image_latency_s = 0.0;
   bool publish_tf = true;
-  std::string camera_name = "rovio_640x480";
+  std::string camera_name;
   std::string camera_info_url = "package://rovio_sfm/config/camera/rovio_640x480.yaml";
   double mcu_rate_hz = 20.0;
   double report_rate_hz = 1.0;

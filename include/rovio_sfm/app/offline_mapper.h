@@ -1,7 +1,5 @@
 #pragma once
 
-#include <deque>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -90,12 +88,12 @@ class OfflineMapper {
   FrameStore* store_;          // one of the three
   Executor adjust_executor_;   // of the mapper's global adjustment
   Executor prepare_executor_;  // of the frontend's pure first half
+  TaskGroup<PreparedImage> prepared_;
   Mapper mapper_;
   std::optional<Localizer> localizer_;
   std::map<FrameId, Localization> localizations_;
   std::optional<PlaceRecognizer> recognizer_;  // none without a place model
   std::optional<Frontend> frontend_;
-  std::deque<std::future<PreparedImage>> prepared_;
   std::unique_ptr<Worker<FrameEvent>> mapping_;  // null with one thread
   std::vector<std::vector<FrameEvent>> drives_;  // only where drives are seeded
   FrontendCounters frontend_counters_;

@@ -25,7 +25,8 @@ std::optional<ImageSize> EncodedImageSize(const std::vector<uint8_t>& encoded);
 bool HasJpegEnd(const std::vector<uint8_t>& encoded);
 
 // Decodes untrusted JPEG or PNG bytes; markers and pixel count are checked first. EXIF orientation
-// is ignored: the calibration belongs to the sensor's rows and columns.
+// is ignored: the calibration belongs to the sensor's rows and columns. Of 16 bits a channel the
+// eight topmost that are in use remain.
 DecodeResult DecodeImage(const std::vector<uint8_t>& encoded, int64_t max_pixels);
 
 }  // namespace rovio_sfm

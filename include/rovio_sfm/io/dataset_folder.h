@@ -37,7 +37,8 @@ struct DatasetFolder {
 };
 
 // Reads the folder (not the images themselves). Throws std::runtime_error that names file, line and
-// field; an optional file that is there but malformed is an error too.
+// field; an optional file that is there but malformed is an error too. Images whose stamp repeats
+// or falls by at most a second are left out, and the log tells how many.
 DatasetFolder ReadDatasetFolder(const std::filesystem::path& path);
 
 // Every stride-th image of the data set, the first included, and the overlaps among them; stride >

@@ -11,35 +11,33 @@
 #include <string>
 #include <vector>
 
+#include "rovio_sfm/ros/bag_topics.h"
 #include "rovio_sfm/ros/robot_sensors.h"
 #include "rovio_sfm/scene/events.h"
 
 namespace rovio_sfm {
 
-// The images of one robot in one bag.
-struct BagDrive {
-  std::filesystem::path bag;
-  std::string robot;        // from the topic: /<robot>/image_raw...
-  std::string image_topic;  // compressed, where a bag has both
-};
-
-// All drives of the bags, in the order given, then by robot. Throws std::runtime_error naming the
-// bag if it cannot be read or holds no /<robot>/image_raw or /<robot>/image_raw/compressed.
-std::vector<BagDrive> FindDrives(const std::vector<std::filesystem::path>& bags);
-
 // The image events of a drive in the order of the bag, as a frontend node would make them: with
 // odometry and the head's pose at each stamp. All else is read first, images one by one. Malformed
-// messages are left out and counted.
+// messages are left out and counted, edges of tf that belong to an earlier map are left out.
 class BagImages {
  public:
-  // Throws std::runtime_error if the bag cannot be read or has no usable camera_info.
-  BagImages(const BagDrive& drive, SensorOptions options);
+  // Throws std::runtime_error if the bag cannot be read or, without a camera, has no usable
+  // camera_info.
+  BagImages(const BagDrive& drive, const SensorOptions& options,
+            const std::optional<Camera>& camera = std::nullopt);
 
   size_t Count() const { return num_images_; }
   size_t NumRefused() const { return num_refused_; }
+  size_t NumMapEdges() const { return num_map_edges_; }
   std::optional<ImageEvent> Next();
+  // Of the images so far: nothing where some came with odometry and the head's pose, else one
+  // sentence that says what a metric map lacks.
+  std::optional<std::string> WhyNotMetric() const;
 
  private:
+  void CountMotion(const ImageEvent& event);
+  std::string FramesText() const;
   void ReadMotion(const std::string& odom_topic);
   void ReadCameras(const std::string& info_topic);
   const sensor_msgs::CameraInfo& CameraAt(const ros::Time& stamp) const;
@@ -56,6 +54,12 @@ class BagImages {
   size_t num_images_ = 0;
   size_t num_read_ = 0;
   size_t num_refused_ = 0;
+  size_t num_map_edges_ = 0;
+  std::string base_frame_;
+  std::string camera_frame_;                   // of the newest image
+  size_t num_odometry_ = 0;                    // taken
+  std::string odometry_refusal_;               // the first
+  size_t num_with_head_ = 0, num_metric_ = 0;  // images
 };
 
 }  // namespace rovio_sfm

@@ -27,6 +27,7 @@ class DriverImagePublisher {
   uint64_t NumPublished() const { return num_published_; }
 
  private:
+  void LoadCalibration(const std::string& url, const std::string& camera_name);
   sensor_msgs::CameraInfo InfoFor(const CameraImage& image);
   void PublishDecoded(const CameraImage& image, const std_msgs::Header& header);
 

@@ -17,7 +17,8 @@ using ImageBytes = std::shared_ptr<const std::vector<uint8_t>>;
 // frontend decodes, and checks before it does.
 ImageBytes BytesOf(const sensor_msgs::CompressedImage& message, std::string* error);
 
-// A raw image (mono8, rgb8, bgr8 and what cv_bridge turns into bgr8) is packed as PNG, losslessly.
+// A raw image (mono8, mono16, rgb8, bgr8, yuv422_yuy2, 8UC1, 8UC3, 16UC1 and what cv_bridge turns
+// into bgr8) is packed as PNG, losslessly.
 ImageBytes BytesOf(const sensor_msgs::Image& message, std::string* error);
 
 }  // namespace rovio_sfm

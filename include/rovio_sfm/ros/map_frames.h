@@ -2,6 +2,7 @@
 
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/time.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <string>
 #include <vector>
@@ -14,6 +15,13 @@ namespace rovio_sfm {
 // "map", in which the root map is shown: the first that has a frame.
 std::string MapFrame();
 std::string SessionFrame(SessionId session);
+
+// True for an edge that a mapper publishes (MapEdges), now or when a bag was recorded: it hangs
+// from, or carries, the frame of a session.
+bool IsMapEdge(const geometry_msgs::TransformStamped& edge);
+
+// The message without such edges.
+tf2_msgs::TFMessage WithoutMapEdges(const tf2_msgs::TFMessage& message);
 
 // All edges of one picture: map → session_<n>/map for the sessions of the root map, and for each
 // robot session_<n>/map → <robot>/odom, where the map is metric and odometry and head are known at

@@ -20,6 +20,7 @@ inline constexpr char kDiagnostics[] = "/diagnostics";
 inline constexpr uint32_t kImageQueue = 2;
 inline constexpr uint32_t kCameraInfoQueue = 2;
 inline constexpr uint32_t kOdomQueue = 50;
+inline constexpr uint32_t kTfQueue = 1000;
 inline constexpr uint32_t kCmdVelQueue = 1;
 inline constexpr uint32_t kStatusQueue = 1;  // latched
 

@@ -27,8 +27,9 @@ struct CalibrationReport {
   std::vector<std::filesystem::path> without_board;  // images in which no board was found
 };
 
-// Calibrates from images of a chessboard by Zhang's method (§3.2), plumb-bob distortion. Throws
-// std::runtime_error for unreadable images, mixed sizes or too few boards.
+// Calibrates from images of a chessboard by Zhang's method (§3.2), plumb-bob distortion.
+// Unreadable images are left out and named on the log. Throws std::runtime_error for mixed sizes or
+// too few boards.
 CalibrationReport CalibrateCamera(const std::vector<std::filesystem::path>& images,
                                   const CalibrateCameraOptions& options);
 

@@ -17,7 +17,8 @@ struct NoiseReport {
 
 // The noise from at least two pictures of one flat, single-coloured surface by a resting camera:
 // the spread of each pixel around its mean over the pictures, after each picture's mean brightness
-// is removed. Throws std::runtime_error for unreadable images, mixed sizes or too few pictures.
+// is removed. Unreadable pictures are left out and named on the log. Throws std::runtime_error for
+// mixed sizes or too few pictures.
 NoiseReport MeasureNoise(const std::vector<std::filesystem::path>& images);
 
 // The command measure_noise. Returns the exit status.

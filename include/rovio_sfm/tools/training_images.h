@@ -23,7 +23,8 @@ struct TrainingFeatures {
 };
 
 // Decodes, denoises and extracts as the live frontend does. The seed decides on the second looks;
-// the threads change nothing. Throws std::runtime_error naming an image that cannot be read.
+// the threads change nothing. Images that cannot be read are left out and named on the log. Throws
+// std::runtime_error where none is left.
 TrainingFeatures ExtractTrainingFeatures(const std::vector<std::filesystem::path>& images,
                                          const FrontendOptions& frontend,
                                          const SecondLookOptions& second_look, uint64_t seed,

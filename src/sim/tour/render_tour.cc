@@ -1,6 +1,5 @@
 #include "rovio_sfm/sim/tour/render_tour.h"
 
-#include <future>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -56,16 +55,15 @@ void RenderFrame(const ImageRenderer& renderer, const TourFrame& frame,
 void RenderImages(const RenderTourOptions& options, const ImageRenderer& renderer,
                   const SimulatedTour& tour, const std::vector<Output>& outputs) {
   Executor executor(options.num_threads > 1 ? options.num_threads : 0);
-  std::vector<std::future<void>> done;
   Rng rng(options.seed ^ 0x70697865ULL);
+  TaskGroup<void> frames(&executor);
   for (size_t i = 0; i < tour.frames.size(); ++i) {
     const uint64_t seed = rng.Next();
     const TourFrame& frame = tour.frames[i];
-    done.push_back(executor.Submit([&renderer, &frame, &outputs, seed, i] {
-      RenderFrame(renderer, frame, outputs, i, seed);
-    }));
+    frames.Add(
+        [&renderer, &frame, &outputs, seed, i] { RenderFrame(renderer, frame, outputs, i, seed); });
   }
-  for (std::future<void>& frame : done) frame.get();
+  while (frames.NumPending() > 0) frames.TakeNext();
 }
 
 std::vector<DepthView> RenderDepths(const World& world, const Camera& camera,
