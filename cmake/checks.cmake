@@ -7,7 +7,7 @@ add_test(NAME check_docs COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_docs)
 # In sanitized builds: what reads untrusted bytes (the robot's replies, requests to the simulated one,
 # files), with its tests and no more than it needs, so that the build takes a minute.
 if(ROVIO_SANITIZE STREQUAL "address")
-  set(PARSERS rovio/mjpeg_parser rovio/jpeg_check rovio/rovio_protocol rovio/header_value
+  set(PARSERS rovio/mjpeg_parser util/jpeg_check rovio/rovio_protocol rovio/header_value
               sim/http/http_request sim/http/parameters sim/http/tcp_socket io/text_file io/odometry_file
               io/trajectory_file io/dataset_folder io/calibration)
   set(PARSER_SOURCES util/check util/check_options util/option_text util/rng geometry/camera ${PARSERS})
@@ -19,7 +19,7 @@ if(ROVIO_SANITIZE STREQUAL "address")
   target_include_directories(parser_test PRIVATE ${PROJECT_SOURCE_DIR}/include
                                                  ${PROJECT_SOURCE_DIR}/test)
   target_compile_definitions(parser_test PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  target_link_libraries(parser_test PRIVATE Eigen3::Eigen ${OPENCV} PkgConfig::YAMLCPP
+  target_link_libraries(parser_test PRIVATE Eigen3::Eigen ${OPENCV} PkgConfig::YAMLCPP JPEG::JPEG
                                             GTest::gtest GTest::gtest_main)
   add_test(NAME parser_test COMMAND parser_test)
 endif()

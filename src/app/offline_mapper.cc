@@ -13,6 +13,7 @@ constexpr size_t kFramesPerCommit = 10;
 void Add(const FrontendCounters& more, FrontendCounters* sum) {
   sum->images += more.images;
   sum->refused += more.refused;
+  sum->late += more.late;
   sum->spoilt += more.spoilt;
   sum->featureless += more.featureless;
   sum->untracked += more.untracked;

@@ -25,9 +25,13 @@ std::string NameOf(const DriveId& drive, const std::map<DriveId, std::vector<Sta
 }  // namespace
 
 std::string MapTrajectoryText(const LevelMap& map) {
-  std::vector<StampedPose> poses;
-  for (const PosedImage& image : PosedImages(map)) poses.push_back(image.level_from_camera);
-  return TrajectoryText(poses);
+  std::map<int64_t, StampedPose> poses;  // the first drive's where several have a stamp
+  for (const PosedImage& image : PosedImages(map)) {
+    poses.emplace(image.level_from_camera.stamp_ns, image.level_from_camera);
+  }
+  std::vector<StampedPose> rising;
+  for (const auto& [stamp_ns, pose] : poses) rising.push_back(pose);
+  return TrajectoryText(rising);
 }
 
 std::string MapCloudBytes(const LevelMap& map) {

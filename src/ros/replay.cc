@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <map>
 #include <opencv2/core.hpp>
 #include <ostream>
 #include <stdexcept>
@@ -23,6 +24,7 @@ struct Arguments : MappingArguments {
   std::vector<std::string> bags;
   std::string frontend_file, mapper_file;
   SensorOptions sensors;
+  StampSource stamps = StampSource::kHeader;
 };
 
 void Declare(Arguments* arguments, CLI::App* app) {
@@ -33,6 +35,11 @@ void Declare(Arguments* arguments, CLI::App* app) {
                   "an image was taken so long before its stamp, s");
   app->add_option("--odom-latency", arguments->sensors.odom_latency_s,
                   "so was an odometry sample, s");
+  app->add_option("--stamps", arguments->stamps,
+                  "header: messages count as of their header's stamp; bag: as of when they were "
+                  "recorded")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, StampSource>{
+          {"header", StampSource::kHeader}, {"bag", StampSource::kBag}}));
   DeclareMappingArguments(app, arguments);
 }
 
@@ -60,7 +67,8 @@ std::shared_ptr<const MapSnapshot> MapBags(const Arguments& arguments, std::ostr
   const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
   OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), nullptr,
                        store ? &store->store() : nullptr);
-  for (const BagDrive& drive : FindDrives(paths)) {
+  for (BagDrive drive : FindDrives(paths)) {
+    drive.stamps = arguments.stamps;
     BagImages images(drive, arguments.sensors);
     ProgressBar bar(images.Count(), &progress);
     const double start_s = SteadySeconds();
@@ -73,6 +81,9 @@ std::shared_ptr<const MapSnapshot> MapBags(const Arguments& arguments, std::ostr
     bar.Finish(SteadySeconds() - start_s);
     out << drive.bag.string() << ": " << num_done << " images of " << drive.robot << ", "
         << images.NumRefused() << " messages refused\n";
+    for (const auto& [reason, count] : images.Refusals()) {
+      out << "  " << count << " x " << reason << "\n";
+    }
   }
   const std::shared_ptr<const MapSnapshot> snapshot = mapper.Finish();
   out << mapper.mapper_counters().global_adjustments << " global adjustments\n";

@@ -16,11 +16,15 @@
 
 namespace rovio_sfm {
 
+// Which time a message counts as of: its header's, or when it was recorded.
+enum class StampSource { kHeader, kBag };
+
 // The images of one robot in one bag.
 struct BagDrive {
   std::filesystem::path bag;
   std::string robot;        // from the topic: /<robot>/image_raw...
   std::string image_topic;  // compressed, where a bag has both
+  StampSource stamps = StampSource::kHeader;
 };
 
 // All drives of the bags, in the order given, then by robot. Throws std::runtime_error naming the
@@ -29,7 +33,7 @@ std::vector<BagDrive> FindDrives(const std::vector<std::filesystem::path>& bags)
 
 // The image events of a drive in the order of the bag, as a frontend node would make them: with
 // odometry and the head's pose at each stamp. All else is read first, images one by one. Malformed
-// messages are left out and counted.
+// messages, and images whose stamp is zero, are left out and counted by reason.
 class BagImages {
  public:
   // Throws std::runtime_error if the bag cannot be read or has no usable camera_info.
@@ -37,6 +41,7 @@ class BagImages {
 
   size_t Count() const { return num_images_; }
   size_t NumRefused() const { return num_refused_; }
+  const std::map<std::string, size_t>& Refusals() const { return refusals_; }
   std::optional<ImageEvent> Next();
 
  private:
@@ -45,6 +50,8 @@ class BagImages {
   const sensor_msgs::CameraInfo& CameraAt(const ros::Time& stamp) const;
   void ReadTransforms(const rosbag::MessageInstance& message);
   std::optional<ImageEvent> ReadImage(const rosbag::MessageInstance& message);
+  ros::Time StampOf(const rosbag::MessageInstance& message, const std_msgs::Header& header) const;
+  void CountRefusal(const std::string& reason);
 
   BagDrive drive_;
   rosbag::Bag bag_;
@@ -56,6 +63,7 @@ class BagImages {
   size_t num_images_ = 0;
   size_t num_read_ = 0;
   size_t num_refused_ = 0;
+  std::map<std::string, size_t> refusals_;  // by reason; the first kMaxReasons of them
 };
 
 }  // namespace rovio_sfm

@@ -15,6 +15,7 @@
 #include "rovio_sfm/app/frontend_node_options.h"
 #include "rovio_sfm/app/image_gate.h"
 #include "rovio_sfm/frontend/frontend.h"
+#include "rovio_sfm/ros/diagnostic_pace.h"
 #include "rovio_sfm/ros/event_history.h"
 #include "rovio_sfm/ros/frontend_thresholds.h"
 #include "rovio_sfm/ros/robot_sensors.h"
@@ -92,6 +93,7 @@ class FrontendNode {
   ros::Subscriber image_subscriber_, info_subscriber_, odom_subscriber_;
   ros::ServiceServer get_frames_;
   diagnostic_updater::Updater diagnostics_;
+  DiagnosticPace pace_{&diagnostics_};
   boost::recursive_mutex thresholds_mutex_;  // of the server, which wants one
   dynamic_reconfigure::Server<FrontendThresholdsConfig> thresholds_;
   Worker<Job> worker_;  // last: its thread uses the others
