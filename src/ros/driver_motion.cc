@@ -97,6 +97,7 @@ RobotReporter::Callbacks DriverMotion::MakeReporterCallbacks() {
   callbacks.on_report = [this](const RobotReport& report) {
     MutexLock lock(mutex_);
     state_.report = report;
+    if (reporter_.IsSettling()) foreign_hand_.NoteOwnSettings(SteadyNs());
     foreign_hand_.Look(report, SteadyNs());
     report_came_.notify_all();
   };
@@ -107,7 +108,6 @@ RobotReporter::Callbacks DriverMotion::MakeReporterCallbacks() {
     } else {
       ROS_WARN_STREAM_NAMED("settings", "the robot did not take the settings; it has " << settings);
     }
-    NoteOwnSettings();
     hooks_.on_settings();
   };
   callbacks.now_ns = RosNs;

@@ -46,6 +46,7 @@ class RobotReporter {
   void AskMcu() { Ask(&RobotReporter::FetchMcu); }
   void AskReport() { Ask(&RobotReporter::FetchReport); }
 
+  bool IsSettling() const { return settings_.IsSettling(); }
   uint64_t NumFailures() const { return num_failures_; }
 
  private:

@@ -24,6 +24,8 @@ class SettingsKeeper {
   // After kRequest; has_arrived is false when it could not be sent: the next report asks again.
   void MarkRequested(bool has_arrived, int64_t now_ns);
 
+  // Neither agreed nor refused yet: what changes is our own doing.
+  bool IsSettling() const { return wanted_ && !is_done_; }
   const CameraSettings& Wanted() const { return *wanted_; }
 
  private:
