@@ -15,10 +15,10 @@ from rovio_sfm.msg import FrameEventMsg, MapStatus
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from driver_fixture import Collector, diagnostic, wait_until
-from synthetic_drives import NUM_CAMERAS, World
+from synthetic_drives import World
 
 WAIT_S = 90.0
-NUM_FRAMES = NUM_CAMERAS // 2
+NUM_HUGE = 25  # frames of 60 MiB: 3 GB where all were kept
 MEBI = 1 << 20
 
 
@@ -49,18 +49,19 @@ class SendersTest(unittest.TestCase):
 
     def test_a_stray_frame_and_huge_ones(self):
         world = World(rospy.Time.now())
-        self.send(world, range(6))
-        self.wait_for(lambda s: self.keyframes(s, 1) == 6)
+        self.send(world, range(10))
+        self.wait_for(lambda s: self.keyframes(s, 1) == 10)
         stray = subprocess.run([sys.executable, os.path.abspath(__file__), "--stray"], timeout=60,
                                check=False)
         self.assertEqual(stray.returncode, 0)
         self.assertTrue(wait_until(lambda: diagnostic(self.diagnostics, "frames to maps")[0]
                                    == DiagnosticStatus.ERROR, 20), diagnostic(self.diagnostics, "maps"))
         self.assertIn("stray", diagnostic(self.diagnostics, "frames to maps")[1])
-        self.send(world, range(6, 10))
-        self.wait_for(lambda s: self.keyframes(s, 1) == 10 and self.keyframes(s, 2) == 0)
-        self.send(world, range(10, NUM_FRAMES), b"\xff" * (60 * MEBI))
-        self.wait_for(lambda s: self.keyframes(s, 1) >= 11)
+        self.send(world, range(10, 14))
+        self.wait_for(lambda s: self.keyframes(s, 1) == 14 and self.keyframes(s, 2) == 0)
+        self.send(world, [14] * NUM_HUGE, b"\xff" * (60 * MEBI))
+        self.send(world, [15])
+        self.wait_for(lambda s: self.keyframes(s, 1) == 16)
         with open("/proc/%d/status" % self.mapping_pid()) as file:
             peak_kb = next(int(line.split()[1]) for line in file if line.startswith("VmHWM"))
         self.assertLess(peak_kb, 1400 * 1024)
