@@ -11,16 +11,18 @@ endforeach()
 # In sanitized builds: what reads untrusted bytes (the robot's replies, requests to the simulated one,
 # files), with its tests and no more than it needs, so that the build takes a minute.
 if(ROVIO_SANITIZE STREQUAL "address")
-  set(PARSERS rovio/mjpeg_parser rovio/jpeg_check rovio/rovio_protocol rovio/header_value
+  set(PARSERS rovio/mjpeg_parser util/jpeg_check rovio/rovio_protocol rovio/header_value
               sim/http/http_request sim/http/parameters sim/http/tcp_socket io/text_file io/odometry_file
               io/trajectory_file io/dataset_folder io/calibration)
   set(PARSER_SOURCES util/check util/check_options util/log util/option_text util/rng geometry/camera ${PARSERS})
   list(TRANSFORM PARSER_SOURCES REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/src/\\1.cc")
   list(TRANSFORM PARSERS REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/test/\\1_test.cc")
   rovio_test_program(parser_test SOURCES ${PARSER_SOURCES} ${PARSERS}
-                     LINKS Eigen3::Eigen ${OPENCV} PkgConfig::YAMLCPP GTest::gtest GTest::gtest_main)
+                     LINKS Eigen3::Eigen ${OPENCV} PkgConfig::YAMLCPP JPEG::JPEG GTest::gtest GTest::gtest_main)
   target_compile_options(rovio_sfm_parser_test PRIVATE -O0)
-  target_include_directories(rovio_sfm_parser_test PRIVATE ${PROJECT_SOURCE_DIR}/include)
+  target_include_directories(rovio_sfm_parser_test PRIVATE ${PROJECT_SOURCE_DIR}/include
+                                                           ${PROJECT_SOURCE_DIR}/test)
+  target_compile_definitions(rovio_sfm_parser_test PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   add_test(NAME parser_test COMMAND rovio_sfm_parser_test)
 endif()
 

@@ -6,6 +6,7 @@ find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs features2d flann 
 find_package(Ceres REQUIRED)
 find_package(CURL REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(JPEG REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json 3 REQUIRED)

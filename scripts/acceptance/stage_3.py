@@ -1,5 +1,6 @@
-"""The acceptance of the third stage: as its users try it."""
+"""The acceptance of the third stage, as its users try it: nothing lost, nobody misled."""
 
-from acceptance import bags, eye, package, shell
+from acceptance import bags, eye, messages, package, robot_network, shell, time_order
 
-LINES = [*bags.LINES, *shell.LINES, *eye.LINES, *package.LINES]
+LINES = [*time_order.LINES, *robot_network.LINES, *messages.LINES, *bags.LINES, *shell.LINES, *eye.LINES,
+         *package.LINES]

@@ -27,10 +27,31 @@ void CheckMode(const std::string& file) {
   }
 }
 
+void CheckLogin(const Credentials& credentials, const std::string& where) {
+  for (const std::string* word : {&credentials.user, &credentials.password}) {
+    if (word->size() > kMaxLength) {
+      throw std::runtime_error(where + ": the robot takes 23 characters at most");
+    }
+    if (word->find('\r') != std::string::npos) {
+      throw std::runtime_error(
+          where +
+          ": a line ends with a carriage return, as Windows writes it; save it "
+          "with plain line feeds (sed -i 's/\\r$//' FILE)");
+    }
+  }
+  if (credentials.user.find(':') != std::string::npos) {
+    throw std::runtime_error(where + ": the user name holds a colon, which HTTP Basic cannot send");
+  }
+}
+
 }  // namespace
 
 Credentials LoadCredentials(const std::string& file) {
-  if (file.empty()) return {FromEnvironment("ROVIO_USER"), FromEnvironment("ROVIO_PASSWORD")};
+  if (file.empty()) {
+    Credentials credentials{FromEnvironment("ROVIO_USER"), FromEnvironment("ROVIO_PASSWORD")};
+    CheckLogin(credentials, "ROVIO_USER and ROVIO_PASSWORD");
+    return credentials;
+  }
   CheckMode(file);
   std::ifstream input(file);
   Credentials credentials;
@@ -39,10 +60,7 @@ Credentials LoadCredentials(const std::string& file) {
     throw std::runtime_error("credentials_file " + file +
                              ": expected two lines, user and password");
   }
-  if (credentials.user.size() > kMaxLength || credentials.password.size() > kMaxLength) {
-    throw std::runtime_error("credentials_file " + file +
-                             ": the robot takes 23 characters at most");
-  }
+  CheckLogin(credentials, "credentials_file " + file);
   return credentials;
 }
 

@@ -12,9 +12,13 @@ void GapFiller::Add(ArrivedFrame frame, double now_s) {
   const std::string robot = frame.id.drive.robot;
   const auto wait = waits_.find(robot);
   if (wait != waits_.end()) {
+    wait->second.num_held_bytes += frame.num_bytes;
     wait->second.held.push_back(std::move(frame));
-    if (wait->second.held.size() <= options_.max_held) return;
-    return GiveUp(robot, "before " + std::to_string(options_.max_held) + " more came", now_s);
+    const bool has_room = wait->second.held.size() <= options_.max_held &&
+                          wait->second.num_held_bytes <= options_.max_held_bytes;
+    if (has_room) return;
+    const std::string count = std::to_string(wait->second.held.size() - 1);
+    return GiveUp(robot, "before " + count + " more came", now_s);
   }
   const uint32_t next = next_index_(frame.id);
   if (next >= frame.id.index) return frame.deliver();
@@ -26,6 +30,7 @@ void GapFiller::Add(ArrivedFrame frame, double now_s) {
   Wait& begun = waits_[robot];
   begun.fetch = fetch;
   begun.deadline_s = now_s + options_.timeout_s;
+  begun.num_held_bytes = frame.num_bytes;
   begun.held.push_back(std::move(frame));
   begin_fetch_(fetch);
 }

@@ -6,11 +6,17 @@ namespace rovio_sfm {
 
 void ImageGate::Add(RawImage image, double now_s) {
   if (!first_s_) first_s_ = now_s;
-  if (waiting_.size() == kCapacity) {
+  while (waiting_.size() == kCapacity || NumBytes() > kMaxBytes) {
     waiting_.pop_front();
     ++num_dropped_;
   }
   waiting_.push_back({std::move(image), now_s});
+}
+
+size_t ImageGate::NumBytes() const {
+  size_t sum = 0;
+  for (const Entry& entry : waiting_) sum += entry.image.bytes ? entry.image.bytes->size() : 0;
+  return sum;
 }
 
 std::optional<ImageEvent> ImageGate::Take(double now_s) {

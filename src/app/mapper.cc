@@ -106,7 +106,8 @@ bool Mapper::FinishSession(const DriveId& drive) {
   TrySeed(drive);
   const SessionId session = it->second->current_session();
   it->second->Finish();
-  AdjustMaps(session);
+  // A drive that began and posed nothing has changed no map.
+  if (!keeper_.sessions().all().at(session)->keyframes().empty()) AdjustMaps(session);
   return true;
 }
 

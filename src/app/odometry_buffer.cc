@@ -2,11 +2,16 @@
 
 #include <algorithm>
 
+#include "rovio_sfm/scene/stamp_order.h"
+
 namespace rovio_sfm {
 
 void OdometryBuffer::Add(const StampedOdometry& sample) {
-  if (!samples_.empty() && sample.stamp_ns == samples_.back().stamp_ns) return;
-  if (!samples_.empty() && sample.stamp_ns < samples_.back().stamp_ns) samples_.clear();
+  if (!samples_.empty()) {
+    const StampOrder order = OrderOf(sample.stamp_ns, samples_.back().stamp_ns);
+    if (order == StampOrder::kLate) return;
+    if (order == StampOrder::kJumpedBack) samples_.clear();
+  }
   samples_.push_back(sample);
   ForgetOld();
 }

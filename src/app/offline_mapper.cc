@@ -14,6 +14,7 @@ constexpr size_t kMaxNewestBytes = 64u << 20;
 void Add(const FrontendCounters& more, FrontendCounters* sum) {
   sum->images += more.images;
   sum->refused += more.refused;
+  sum->late += more.late;
   sum->spoilt += more.spoilt;
   sum->featureless += more.featureless;
   sum->untracked += more.untracked;

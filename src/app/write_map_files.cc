@@ -83,9 +83,13 @@ WrittenFiles WriteFiles(const std::vector<NamedFile>& files, const fs::path& fol
 }  // namespace
 
 std::string MapTrajectoryText(const LevelMap& map) {
-  std::vector<StampedPose> poses;
-  for (const PosedImage& image : PosedImages(map)) poses.push_back(image.level_from_camera);
-  return TrajectoryText(poses);
+  std::map<int64_t, StampedPose> poses;  // the first drive's where several have a stamp
+  for (const PosedImage& image : PosedImages(map)) {
+    poses.emplace(image.level_from_camera.stamp_ns, image.level_from_camera);
+  }
+  std::vector<StampedPose> rising;
+  for (const auto& [stamp_ns, pose] : poses) rising.push_back(pose);
+  return TrajectoryText(rising);
 }
 
 std::string MapCloudBytes(const LevelMap& map) { return PlyBytes(LevelCloud(map), UnitOf(map)); }

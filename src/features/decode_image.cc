@@ -3,15 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <opencv2/imgcodecs.hpp>
+#include <string_view>
+
+#include "rovio_sfm/util/jpeg_check.h"
 
 namespace rovio_sfm {
 namespace {
 
 constexpr std::array<uint8_t, 8> kPngSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-constexpr uint8_t kStartOfImage = 0xd8, kEndOfImage = 0xd9, kStartOfScan = 0xda;
+constexpr uint8_t kStartOfImage = 0xd8;
 
 bool IsJpeg(const std::vector<uint8_t>& bytes) {
   return bytes.size() > 4 && bytes[0] == 0xff && bytes[1] == kStartOfImage && bytes[2] == 0xff;
+}
+
+std::string_view TextOf(const std::vector<uint8_t>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 bool IsPng(const std::vector<uint8_t>& bytes) {
@@ -20,44 +27,6 @@ bool IsPng(const std::vector<uint8_t>& bytes) {
 
 int BigEndian16(const std::vector<uint8_t>& bytes, size_t at) {
   return (bytes[at] << 8) | bytes[at + 1];
-}
-
-// Start-of-frame markers: C0 to CF without DHT (C4), JPG (C8) and DAC (CC).
-bool IsStartOfFrame(uint8_t marker) {
-  return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-}
-
-struct Segment {
-  uint8_t marker = 0;
-  size_t begin = 0;   // of the two length bytes
-  size_t length = 0;  // with them
-};
-
-// The marker segment that begins at the offset; nothing if the bytes there are no complete one.
-std::optional<Segment> SegmentAt(const std::vector<uint8_t>& bytes, size_t at) {
-  if (at >= bytes.size() || bytes[at] != 0xff) return std::nullopt;
-  while (at < bytes.size() && bytes[at] == 0xff) ++at;  // fill bytes
-  if (at + 3 > bytes.size()) return std::nullopt;
-  Segment segment{bytes[at], at + 1, static_cast<size_t>(BigEndian16(bytes, at + 1))};
-  if (segment.length < 2 || segment.begin + segment.length > bytes.size()) return std::nullopt;
-  return segment;
-}
-
-// The first segment that the predicate accepts, looking no further than the first scan.
-template <typename Predicate>
-std::optional<Segment> FindSegment(const std::vector<uint8_t>& bytes, Predicate accepts) {
-  auto segment = SegmentAt(bytes, 2);
-  while (segment && !accepts(segment->marker)) {
-    if (segment->marker == kStartOfScan) return std::nullopt;
-    segment = SegmentAt(bytes, segment->begin + segment->length);
-  }
-  return segment;
-}
-
-std::optional<ImageSize> JpegSize(const std::vector<uint8_t>& bytes) {
-  const auto frame = FindSegment(bytes, IsStartOfFrame);
-  if (!frame || frame->length < 8) return std::nullopt;
-  return ImageSize{BigEndian16(bytes, frame->begin + 5), BigEndian16(bytes, frame->begin + 3)};
 }
 
 std::optional<ImageSize> PngSize(const std::vector<uint8_t>& bytes) {
@@ -87,20 +56,13 @@ DecodeResult RefuseImage(const std::string& reason) { return {cv::Mat(), reason}
 
 std::optional<ImageSize> EncodedImageSize(const std::vector<uint8_t>& encoded) {
   std::optional<ImageSize> size;
-  if (IsJpeg(encoded)) size = JpegSize(encoded);
+  if (IsJpeg(encoded)) {
+    const JpegInfo info = CheckJpegMarkers(TextOf(encoded), SIZE_MAX);
+    size = ImageSize{info.width_px, info.height_px};
+  }
   if (IsPng(encoded)) size = PngSize(encoded);
   if (!size || size->width <= 0 || size->height <= 0) return std::nullopt;
   return size;
-}
-
-bool HasJpegEnd(const std::vector<uint8_t>& encoded) {
-  if (!IsJpeg(encoded)) return false;
-  const auto scan = FindSegment(encoded, [](uint8_t marker) { return marker == kStartOfScan; });
-  if (!scan) return false;
-  // Entropy-coded bytes never hold FF D9: a zero is stuffed after each FF.
-  constexpr std::array<uint8_t, 2> kEnd = {0xff, kEndOfImage};
-  const auto data = encoded.begin() + static_cast<std::ptrdiff_t>(scan->begin + scan->length);
-  return std::search(data, encoded.end(), kEnd.begin(), kEnd.end()) != encoded.end();
 }
 
 DecodeResult DecodeImage(const std::vector<uint8_t>& encoded, int64_t max_pixels) {
@@ -111,7 +73,11 @@ DecodeResult DecodeImage(const std::vector<uint8_t>& encoded, int64_t max_pixels
                        std::to_string(size->height) + " px: expected at most " +
                        std::to_string(max_pixels) + " pixels");
   }
-  if (IsJpeg(encoded) && !HasJpegEnd(encoded)) return RefuseImage("JPEG without an end marker");
+  if (IsJpeg(encoded)) {
+    const JpegInfo info = CheckJpeg(TextOf(encoded), static_cast<size_t>(max_pixels));
+    if (info.fault != JpegFault::kNone)
+      return RefuseImage(std::string("JPEG ") + NameOf(info.fault));
+  }
   try {
     cv::Mat bgr = cv::imdecode(
         encoded, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION | cv::IMREAD_ANYDEPTH);

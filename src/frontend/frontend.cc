@@ -3,8 +3,11 @@
 #include <memory>
 #include <utility>
 
+#include "rovio_sfm/geometry/same_camera.h"
+#include "rovio_sfm/scene/stamp_order.h"
 #include "rovio_sfm/util/check.h"
 #include "rovio_sfm/util/check_options.h"
+#include "rovio_sfm/util/log.h"
 
 namespace rovio_sfm {
 namespace {
@@ -24,6 +27,7 @@ Frontend::Drive::Drive(const DriveId& drive_id, const Camera& drive_camera,
                        const FrontendOptions& options)
     : id(drive_id),
       camera(drive_camera),
+      newest_ns(drive_id.start_ns),
       chooser(options.choose),
       light(options.light),
       tracks(options.track) {}
@@ -56,7 +60,9 @@ std::optional<FrameEvent> Frontend::Add(const ImageEvent& image) {
 std::optional<FrameEvent> Frontend::Add(const PreparedImage& image) {
   ++counters_.images;
   if (!image.refusal.empty()) return Drop(&counters_.refused, image.refusal);
-  EnsureDrive(image.event);
+  if (!EnsureDrive(image.event)) {
+    return Drop(&counters_.late, "image repeated or late: its stamp is not later than the last");
+  }
   switch (drive_->chooser.Choose(image.small, image.sharpness, drive_->camera)) {
     case ImageChoice::kKeyframe:
       return AddKeyframe(image);
@@ -74,10 +80,26 @@ std::optional<FrameEvent> Frontend::Drop(uint64_t* counter, const std::string& r
   return std::nullopt;
 }
 
-void Frontend::EnsureDrive(const ImageEvent& image) {
-  const bool goes_on = drive_ && image.stamp_ns > last_stamp_ns_ && image.camera == drive_->camera;
-  last_stamp_ns_ = image.stamp_ns;
-  if (goes_on) return;
+bool Frontend::EnsureDrive(const ImageEvent& image) {
+  if (!drive_) {
+    StartDrive(image);
+    return true;
+  }
+  const StampOrder order = OrderOf(image.stamp_ns, drive_->newest_ns);
+  if (order == StampOrder::kLate) return false;
+  const bool is_same_camera = IsSameCamera(image.camera, drive_->camera);
+  if (order == StampOrder::kLater && is_same_camera) {
+    drive_->newest_ns = image.stamp_ns;
+    return true;
+  }
+  const std::string ended = drive_->id.ToString();
+  StartDrive(image);
+  LogWarning("drive " + ended + " ends and " + drive_->id.ToString() + " begins: " +
+             (is_same_camera ? "time jumped back" : "the camera's size or intrinsics changed"));
+  return true;
+}
+
+void Frontend::StartDrive(const ImageEvent& image) {
   const auto nonce = static_cast<uint32_t>(nonce_ + counters_.drives++);
   drive_.emplace(DriveId{robot_, image.stamp_ns, nonce}, image.camera, options_);
 }

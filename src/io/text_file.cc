@@ -14,7 +14,8 @@ namespace {
 
 constexpr uintmax_t kMaxTextBytes = 256u << 20;
 constexpr size_t kMaxLineBytes = 4096;
-constexpr int64_t kMaxSeconds = 9'000'000'000;
+// Until 2106, as ROS counts: the difference of any two stamps fits into 64 bits of nanoseconds.
+constexpr int64_t kMaxSeconds = 4'294'967'295;
 
 bool IsDigits(const std::string& text) {
   return text.find_first_not_of("0123456789") == std::string::npos;

@@ -18,6 +18,7 @@ namespace {
 const char* const kTransforms = "/tf";
 const char* const kStaticTransforms = "/tf_static";
 constexpr double kForeverS = 1e6;
+constexpr size_t kMaxReasons = 20;
 
 SensorOptions ForWholeBag(SensorOptions options, const std::string& robot) {
   options.odom_memory_s = kForeverS;
@@ -51,9 +52,9 @@ void BagImages::ReadCameras(const std::string& info_topic) {
   for (const rosbag::MessageInstance& message : view) {
     const auto info = message.instantiate<sensor_msgs::CameraInfo>();
     if (info != nullptr && FromCameraInfo(*info, &error)) {
-      cameras_.emplace(info->header.stamp, *info);
+      cameras_.emplace(StampOf(message, info->header), *info);
     } else {
-      ++num_refused_;
+      CountRefusal(error);
     }
   }
   if (!cameras_.empty()) return;
@@ -71,12 +72,15 @@ void BagImages::ReadMotion(const std::string& odom_topic) {
       continue;
     }
     const auto odometry = message.instantiate<nav_msgs::Odometry>();
-    std::string error;
-    if (odometry != nullptr && sensors_.AddOdometry(*odometry, &error)) {
-      ++num_odometry_;
-      continue;
+    std::string error = odom_topic + " is no nav_msgs/Odometry";
+    if (odometry != nullptr) {
+      odometry->header.stamp = StampOf(message, odometry->header);
+      if (sensors_.AddOdometry(*odometry, &error)) {
+        ++num_odometry_;
+        continue;
+      }
     }
-    ++num_refused_;
+    CountRefusal("odometry: " + error);
     if (odometry_refusal_.empty()) odometry_refusal_ = error;
   }
 }
@@ -84,11 +88,12 @@ void BagImages::ReadMotion(const std::string& odom_topic) {
 void BagImages::ReadTransforms(const rosbag::MessageInstance& message) {
   const auto list = message.instantiate<tf2_msgs::TFMessage>();
   if (list == nullptr) return;
-  for (const geometry_msgs::TransformStamped& transform : list->transforms) {
+  for (geometry_msgs::TransformStamped& transform : list->transforms) {
     if (IsMapEdge(transform)) {
       ++num_map_edges_;
       continue;
     }
+    transform.header.stamp = StampOf(message, transform.header);
     transforms_.setTransform(transform, "bag", message.getTopic() == kStaticTransforms);
   }
 }
@@ -98,9 +103,18 @@ std::optional<ImageEvent> BagImages::Next() {
     const rosbag::MessageInstance message = *next_;
     ++next_;
     if (std::optional<ImageEvent> event = ReadImage(message)) return event;
-    ++num_refused_;
   }
   return std::nullopt;
+}
+
+void BagImages::CountRefusal(const std::string& reason) {
+  ++num_refused_;
+  if (refusals_.size() < kMaxReasons || refusals_.count(reason) > 0) ++refusals_[reason];
+}
+
+ros::Time BagImages::StampOf(const rosbag::MessageInstance& message,
+                             const std_msgs::Header& header) const {
+  return drive_.stamps == StampSource::kBag ? message.getTime() : header.stamp;
 }
 
 // The last one up to the stamp; the first of all for images before it.
@@ -112,7 +126,7 @@ const sensor_msgs::CameraInfo& BagImages::CameraAt(const ros::Time& stamp) const
 std::optional<ImageEvent> BagImages::ReadImage(const rosbag::MessageInstance& message) {
   const std::string number = std::to_string(num_read_++);
   const std::string name = std::string(6 - std::min<size_t>(6, number.size()), '0') + number;
-  std::string error;
+  std::string error = "no image message";
   std_msgs::Header header;
   ImageBytes bytes;
   if (const auto compressed = message.instantiate<sensor_msgs::CompressedImage>()) {
@@ -122,7 +136,13 @@ std::optional<ImageEvent> BagImages::ReadImage(const rosbag::MessageInstance& me
     header = raw->header;
     bytes = BytesOf(*raw, &error);
   }
+  header.stamp = StampOf(message, header);
+  if (bytes != nullptr && header.stamp.isZero()) {
+    error = "image: header.stamp is zero (--stamps bag takes the bag's time)";
+    bytes = nullptr;
+  }
   if (bytes == nullptr || !sensors_.AddCameraInfo(CameraAt(header.stamp), &error)) {
+    CountRefusal(error);
     return std::nullopt;
   }
   ImageEvent event =

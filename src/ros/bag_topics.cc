@@ -56,7 +56,8 @@ std::string RobotOf(const std::string& topic) {
 BagDrive DriveOf(const std::filesystem::path& bag, const std::string& image_topic,
                  const BagTopics& topics) {
   const std::string base = WithoutCompressed(image_topic);
-  BagDrive drive{bag, RobotOf(image_topic), image_topic, topics.camera_info, topics.odom};
+  BagDrive drive{bag,         RobotOf(image_topic), image_topic, topics.camera_info,
+                 topics.odom, topics.stamps};
   if (drive.info_topic.empty()) {
     drive.info_topic = base.substr(0, base.rfind('/')) + "/" + topics::kCameraInfo;
   }

@@ -5,9 +5,11 @@
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/image_encodings.h>
 
+#include <cmath>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 
+#include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/topics.h"
 
 namespace rovio_sfm {
@@ -27,7 +29,7 @@ DriverImagePublisher::DriverImagePublisher(const ros::NodeHandle& handle,
                                            const DriverOptions& options)
     : handle_(handle),
       frame_id_(options.frames.camera_optical),
-      latency_s_(options.image_latency_s),
+      latency_ns_(std::llround(options.image_latency_s * 1e9)),
       transport_(WithoutPlugins(handle)),
       info_manager_(handle, options.camera_name, options.camera_info_url),
       compressed_(handle_.advertise<sensor_msgs::CompressedImage>(topics::kImageCompressed,
@@ -54,9 +56,9 @@ void DriverImagePublisher::LoadCalibration(const std::string& url, const std::st
 }
 
 void DriverImagePublisher::Publish(const CameraImage& image) {
+  if (image.stamp_ns <= latency_ns_) return DropWithoutTime();
   std_msgs::Header header;
-  header.stamp.fromNSec(static_cast<uint64_t>(image.stamp_ns));
-  header.stamp -= ros::Duration(latency_s_);
+  header.stamp = ToTime(image.stamp_ns - latency_ns_);
   header.frame_id = frame_id_;
 
   sensor_msgs::CameraInfo info = InfoFor(image);
@@ -69,6 +71,15 @@ void DriverImagePublisher::Publish(const CameraImage& image) {
   compressed_.publish(message);
   if (decoded_.getNumSubscribers() > 0) PublishDecoded(image, header);
   ++num_published_;
+}
+
+void DriverImagePublisher::DropWithoutTime() {
+  ++num_without_time_;
+  if (has_warned_of_time_) return;
+  has_warned_of_time_ = true;
+  ROS_WARN_NAMED("images",
+                 "images are dropped: there is no time yet (/use_sim_time is set and "
+                 "nobody publishes /clock)");
 }
 
 bool DriverImagePublisher::HasListeners() const {

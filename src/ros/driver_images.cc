@@ -6,6 +6,8 @@
 #include <array>
 #include <utility>
 
+#include "rovio_sfm/util/steady_clock.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -13,6 +15,7 @@ namespace {
 constexpr std::array<std::pair<int, int>, 4> kSizes = {
     {{176, 144}, {320, 240}, {352, 288}, {640, 480}}};
 constexpr int64_t kSizeChangeNs = 5000000000;
+constexpr int64_t kSettingsPatienceNs = 10'000'000'000;
 
 int64_t RosNs() { return static_cast<int64_t>(ros::Time::now().toNSec()); }
 
@@ -32,6 +35,7 @@ DriverImages::DriverImages(const ros::NodeHandle& handle, const DriverOptions& o
     : is_stationary_(options.capture_mode == CaptureMode::kStationary),
       wanted_settings_(options.reports.wanted_settings),
       has_settings_(!wanted_settings_),
+      start_ns_(SteadyNs()),
       trigger_(options.stationary),
       transport_(options.http, credentials),
       gate_(!is_stationary_ && !wanted_settings_),
@@ -53,6 +57,7 @@ ImageReader::Callbacks DriverImages::MakeCallbacks() {
   callbacks.on_image = [this](CameraImage image) { OnImage(std::move(image)); };
   callbacks.on_link = [this](ImageLink link, const std::string& reason) { OnLink(link, reason); };
   callbacks.now_ns = RosNs;
+  callbacks.steady_ns = SteadyNs;
   return callbacks;
 }
 
@@ -67,8 +72,19 @@ void DriverImages::NoteMotion(bool is_moving, int64_t now_ns) {
 void DriverImages::NoteSettings() {
   MutexLock lock(mutex_);
   has_settings_ = true;
-  settings_ns_ = RosNs();
+  settings_ns_ = SteadyNs();
   if (!is_stationary_) gate_.SetOpen(true);
+}
+
+void DriverImages::CheckSettings(int64_t now_ns) {
+  MutexLock lock(mutex_);
+  if (has_settings_ || now_ns - start_ns_ < kSettingsPatienceNs) return;
+  has_settings_ = true;
+  if (!is_stationary_) gate_.SetOpen(true);
+  ROS_WARN_NAMED("images",
+                 "the robot has not told its camera settings for %d s: its images are "
+                 "taken as they are",
+                 static_cast<int>(kSettingsPatienceNs / 1'000'000'000));
 }
 
 // The robot reports a new size before it sends it.
@@ -82,9 +98,9 @@ void DriverImages::OnImage(CameraImage image) {
   {
     MutexLock lock(mutex_);
     if (IsOfOldSize(image)) return;
-    statistics_.Add(image.stamp_ns, image.complete_ns);
+    statistics_.Add(image.first_byte_ns, image.complete_ns);
     if (is_stationary_) {
-      if (!publisher_.HasListeners() || !trigger_.Accept(image.stamp_ns)) return;
+      if (!publisher_.HasListeners() || !trigger_.Accept(image.first_byte_ns)) return;
       gate_.SetOpen(false);
     }
   }
@@ -110,13 +126,14 @@ ImageLink DriverImages::Link() const {
 uint64_t DriverImages::NumDropped() const {
   const ImageCounters& counters = reader_.Counters();
   return counters.num_truncated + counters.num_corrupt + counters.num_too_large +
-         publish_worker_.NumDropped();
+         publish_worker_.NumDropped() + publisher_.NumWithoutTime();
 }
 
 ImagesState DriverImages::TakeState() {
   ImagesState state;
   state.num_published = NumPublished();
   state.num_dropped = publish_worker_.NumDropped();
+  state.num_without_time = publisher_.NumWithoutTime();
   MutexLock lock(mutex_);
   state.link = link_;
   state.reason = reason_;

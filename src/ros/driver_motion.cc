@@ -7,6 +7,7 @@
 #include <chrono>
 #include <utility>
 
+#include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/driver_odometry_message.h"
 #include "rovio_sfm/ros/topics.h"
 #include "rovio_sfm/util/steady_clock.h"
@@ -16,11 +17,17 @@ namespace {
 
 constexpr double kDriveTickS = 0.025;     // how exactly the repeat period is kept
 constexpr double kCommandTimeoutS = 1.0;  // a stop must not wait longer behind a lost command
+constexpr double kReportTimeoutS = 2.5;   // a robot that never answers is told within 3 s
 
 int64_t RosNs() { return static_cast<int64_t>(ros::Time::now().toNSec()); }
 
 CurlTransportOptions CommandOptions(CurlTransportOptions http) {
   http.total_timeout_s = std::min(http.total_timeout_s, kCommandTimeoutS);
+  return http;
+}
+
+CurlTransportOptions ReportOptions(CurlTransportOptions http) {
+  http.first_byte_timeout_s = std::min(http.first_byte_timeout_s, kReportTimeoutS);
   return http;
 }
 
@@ -39,7 +46,7 @@ DriverMotion::DriverMotion(const ros::NodeHandle& handle, const DriverOptions& o
       odom_(handle_.advertise<nav_msgs::Odometry>(topics::kOdom, topics::kOdomQueue)),
       odometry_(options.odometry),
       drive_transport_(CommandOptions(options.http), credentials),
-      report_transport_(options.http, credentials),
+      report_transport_(ReportOptions(options.http), credentials),
       drive_loop_(options.drive, &drive_transport_,
                   [this](const DriveCommand& command, const RobotOutcome& outcome) {
                     OnCommand(command, outcome);
@@ -73,7 +80,7 @@ void DriverMotion::StartTimers() {
     return handle_.createSteadyTimer(ros::WallDuration(seconds),
                                      [tick](const ros::SteadyTimerEvent&) { tick(); });
   };
-  drive_timer_ = every(kDriveTickS, [this] { drive_loop_.Tick(SteadyNs()); });
+  drive_timer_ = every(kDriveTickS, [this] { drive_loop_.Tick(BootNs()); });
   mcu_timer_ = every(1.0 / options_.mcu_rate_hz, [this] { report_worker_.Push(Question::kMcu); });
   report_timer_ =
       every(1.0 / options_.report_rate_hz, [this] { report_worker_.Push(Question::kReport); });
@@ -81,7 +88,7 @@ void DriverMotion::StartTimers() {
 
 RobotReporter::Callbacks DriverMotion::MakeReporterCallbacks() {
   RobotReporter::Callbacks callbacks;
-  callbacks.on_mcu = [this](const McuReport& mcu, int64_t stamp_ns) { OnMcu(mcu, stamp_ns); };
+  callbacks.on_mcu = [this](const McuReport& mcu, const ReadingTime& time) { OnMcu(mcu, time); };
   callbacks.on_lost_mcu = [this] {
     if (drive_loop_.IsMoving()) odometry_.AddLostReading(1.0 / options_.mcu_rate_hz);
     MutexLock lock(mutex_);
@@ -90,6 +97,8 @@ RobotReporter::Callbacks DriverMotion::MakeReporterCallbacks() {
   callbacks.on_report = [this](const RobotReport& report) {
     MutexLock lock(mutex_);
     state_.report = report;
+    if (reporter_.IsSettling()) foreign_hand_.NoteOwnSettings(SteadyNs());
+    foreign_hand_.Look(report, SteadyNs());
     report_came_.notify_all();
   };
   callbacks.on_link = [this](bool is_up, const std::string& reason) { OnLink(is_up, reason); };
@@ -102,16 +111,18 @@ RobotReporter::Callbacks DriverMotion::MakeReporterCallbacks() {
     hooks_.on_settings();
   };
   callbacks.now_ns = RosNs;
+  callbacks.steady_ns = SteadyNs;
   return callbacks;
 }
 
 void DriverMotion::OnTwist(const geometry_msgs::Twist& twist) {
-  drive_loop_.SetWish({twist.linear.x, twist.linear.y, twist.angular.z}, SteadyNs());
+  drive_loop_.SetWish({twist.linear.x, twist.linear.y, twist.angular.z}, BootNs());
 }
 
 void DriverMotion::OnCommand(const DriveCommand& command, const RobotOutcome& outcome) {
-  if (command.code != DriveCode::kStop) hooks_.on_motion(true, RosNs());
+  if (command.code != DriveCode::kStop) hooks_.on_motion(true, SteadyNs());
   MutexLock lock(mutex_);
+  foreign_hand_.NoteOwnMotion(SteadyNs());
   ++state_.num_commands;
   if (!outcome.IsOk()) {
     ++state_.num_failed_commands;
@@ -122,25 +133,28 @@ void DriverMotion::OnCommand(const DriveCommand& command, const RobotOutcome& ou
   state_.last_command_fault = outcome.message;
 }
 
-void DriverMotion::OnMcu(const McuReport& mcu, int64_t stamp_ns) {
+void DriverMotion::OnMcu(const McuReport& mcu, const ReadingTime& time) {
   // The first reading holds what happened before this node began.
   const BaseMotion motion = is_odometry_begun_ ? odometry_.Add(mcu.wheels) : BaseMotion::Zero();
   const bool has_moved = is_odometry_begun_ && HasTicks(mcu);
   is_odometry_begun_ = true;
-  PublishPose(mcu, motion, stamp_ns);
+  PublishPose(mcu, motion, time);
   const bool is_moving = has_moved || drive_loop_.IsMoving();
-  hooks_.on_motion(is_moving, RosNs());
+  hooks_.on_motion(is_moving, SteadyNs());
   MutexLock lock(mutex_);
+  if (drive_loop_.IsMoving()) foreign_hand_.NoteOwnMotion(time.steady_ns);
+  foreign_hand_.Look(mcu, time.steady_ns);
   state_.mcu = mcu;
   state_.is_moving = is_moving;
 }
 
-void DriverMotion::PublishPose(const McuReport& mcu, const BaseMotion& motion, int64_t stamp_ns) {
-  ros::Time stamp;
-  stamp.fromNSec(static_cast<uint64_t>(stamp_ns));
+void DriverMotion::PublishPose(const McuReport& mcu, const BaseMotion& motion,
+                               const ReadingTime& time) {
   BaseTwist twist;
-  const double interval_s = static_cast<double>(stamp_ns - last_mcu_ns_) * 1e-9;
-  last_mcu_ns_ = stamp_ns;
+  const double interval_s = static_cast<double>(time.steady_ns - last_mcu_ns_) * 1e-9;
+  last_mcu_ns_ = time.steady_ns;
+  if (time.stamp_ns <= 0) return;  // no /clock yet
+  const ros::Time stamp = ToTime(time.stamp_ns);
   if (interval_s > 0.0) {
     twist.velocity = motion / interval_s;
     twist.sigma = options_.odometry.tick_sigma / options_.odometry.ticks_per_m / interval_s;
@@ -167,7 +181,19 @@ void DriverMotion::OnLink(bool is_up, const std::string& reason) {
 
 RobotState DriverMotion::State() const {
   MutexLock lock(mutex_);
-  return state_;
+  RobotState state = state_;
+  state.foreign_hand = foreign_hand_.Reason(SteadyNs());
+  return state;
+}
+
+void DriverMotion::NoteOwnMotion() {
+  MutexLock lock(mutex_);
+  foreign_hand_.NoteOwnMotion(SteadyNs());
+}
+
+void DriverMotion::NoteOwnSettings() {
+  MutexLock lock(mutex_);
+  foreign_hand_.NoteOwnSettings(SteadyNs());
 }
 
 bool DriverMotion::WaitForReport(double seconds,

@@ -22,16 +22,26 @@ Status ToStatus(const RobotOutcome& outcome, const std::string& success) {
                     "the robot did not do it: " + outcome.message);
 }
 
-// The present settings with those of the request that are not KEEP.
-CameraSettings Merge(const SetCamera::Request& request, CameraSettings settings) {
-  const auto take = [](int8_t wish, int* value) {
-    if (wish != SetCamera::Request::KEEP) *value = wish;
+// The settings of the request that are not KEEP.
+SomeSettings WishesOf(const SetCamera::Request& request) {
+  const auto wish_of = [](int8_t wish) {
+    return wish == SetCamera::Request::KEEP ? std::nullopt : std::optional<int>(wish);
   };
-  take(request.resolution, &settings.resolution);
-  take(request.compression, &settings.compression);
-  take(request.frame_rate, &settings.frame_rate);
-  take(request.brightness, &settings.brightness);
-  return settings;
+  SomeSettings wishes;
+  wishes.resolution = wish_of(request.resolution);
+  wishes.compression = wish_of(request.compression);
+  wishes.frame_rate = wish_of(request.frame_rate);
+  wishes.brightness = wish_of(request.brightness);
+  return wishes;
+}
+
+bool AreValid(const SomeSettings& wishes, std::string* error) {
+  CameraSettings all;
+  all.resolution = wishes.resolution.value_or(all.resolution);
+  all.compression = wishes.compression.value_or(all.compression);
+  all.frame_rate = wishes.frame_rate.value_or(all.frame_rate);
+  all.brightness = wishes.brightness.value_or(all.brightness);
+  return IsValid(all, error);
 }
 
 }  // namespace
@@ -78,22 +88,27 @@ bool DriverServices::SetCamera(SetCamera::Request& request, SetCamera::Response&
 }
 
 Status DriverServices::ChangeSettings(const rovio_sfm::SetCamera::Request& request) {
+  const SomeSettings wanted = WishesOf(request);
+  std::string error;
+  if (!AreValid(wanted, &error)) return MakeStatus(Status::INVALID_ARGUMENT, error);
   const RobotReply<RobotReport> before = client_.GetReport();
   if (!before.value) return ToStatus(before.outcome, "");
-  const CameraSettings wanted = Merge(request, before.value->camera);
-  if (wanted == before.value->camera) return MakeStatus(Status::OK, "nothing to change");
-  std::string error;
-  if (!IsValid(wanted, &error)) return MakeStatus(Status::INVALID_ARGUMENT, error);
+  motion_->NoteOwnSettings();
   const RobotOutcome outcome = client_.RequestSettings(wanted, before.value->camera);
   if (!outcome.IsOk()) return ToStatus(outcome, "");
-  const bool has_obeyed = motion_->WaitForReport(
-      kReadBackPatienceS, [&wanted](const RobotReport& report) { return report.camera == wanted; });
-  if (has_obeyed) return MakeStatus(Status::OK, "the robot has " + Describe(wanted));
+  SomeSettings present;
+  const bool has_obeyed =
+      motion_->WaitForReport(kReadBackPatienceS, [&](const RobotReport& report) {
+        present = report.camera;
+        return AreAgreed(report.camera, wanted);
+      });
+  if (has_obeyed) return MakeStatus(Status::OK, "the robot has " + Describe(present));
   return MakeStatus(Status::FAILED_PRECONDITION,
                     "the robot answered but did not change (a login may be too low)");
 }
 
 bool DriverServices::Dock(Dock::Request& request, Dock::Response& response) {
+  motion_->NoteOwnMotion();
   const RobotOutcome outcome = request.cancel ? client_.EndAutonomy() : client_.Dock();
   response.status = ToStatus(outcome, request.cancel ? "ended" : "the robot drives to its dock");
   return true;

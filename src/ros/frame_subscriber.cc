@@ -5,11 +5,13 @@
 
 #include "rovio_sfm/ros/frame_event_message.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
 namespace {
 
 constexpr double kWarnPeriodS = 10.0;
+constexpr double kForeignToldS = 30.0;
 
 }  // namespace
 
@@ -17,22 +19,42 @@ FrameSubscriber::FrameSubscriber(ros::NodeHandle node, const std::vector<std::st
                                  Handler handler)
     : handler_(std::move(handler)) {
   for (const std::string& robot : robots) {
-    const boost::function<void(const FrameEventMsg::ConstPtr&)> handle =
-        [this, robot](const FrameEventMsg::ConstPtr& message) { OnFrame(robot, message); };
-    subscribers_.push_back(node.subscribe<FrameEventMsg>("/" + robot + "/" + topics::kFrames,
-                                                         topics::kFramesQueue, handle));
+    const boost::function<void(const ros::MessageEvent<FrameEventMsg const>&)> handle =
+        [this, robot,
+         subscriber = subscribers_.size()](const ros::MessageEvent<FrameEventMsg const>& message) {
+          OnFrame(robot, subscriber, message);
+        };
+    subscribers_.push_back(
+        node.subscribe<FrameEventMsg, const ros::MessageEvent<FrameEventMsg const>&>(
+            "/" + robot + "/" + topics::kFrames, topics::kFramesQueue, handle));
   }
 }
 
-void FrameSubscriber::OnFrame(const std::string& robot, const FrameEventMsg::ConstPtr& message) {
+void FrameSubscriber::OnFrame(const std::string& robot, size_t subscriber,
+                              const ros::MessageEvent<FrameEventMsg const>& message) {
   std::string error;
-  std::optional<FrameEvent> event = FromMessage(*message, &error);
+  std::optional<FrameEvent> event = FromMessage(*message.getConstMessage(), &error);
   if (!event) return CountRefused("frame of " + robot + " refused: " + error);
   if (event->id.drive.robot != robot) {
     return CountRefused("frame on /" + robot + "/frames refused: it says that its robot is " +
                         event->id.drive.robot);
   }
-  handler_(message, std::move(*event));
+  const double now_s = SteadySeconds();
+  const bool is_only_sender = subscribers_.at(subscriber).getNumPublishers() <= 1;
+  const auto refusal =
+      senders_.RefusalOf(event->id.drive, {message.getPublisherName(), is_only_sender, now_s});
+  if (refusal) {
+    ++num_foreign_;
+    foreign_ = *refusal;
+    foreign_s_ = now_s;
+    return CountRefused("frame refused: " + *refusal);
+  }
+  handler_(message.getConstMessage(), std::move(*event));
+}
+
+std::string FrameSubscriber::ForeignSender() const {
+  const bool is_recent = !foreign_.empty() && SteadySeconds() - foreign_s_ < kForeignToldS;
+  return is_recent ? foreign_ : "";
 }
 
 void FrameSubscriber::CountRefused(const std::string& reason) {

@@ -71,14 +71,14 @@ CameraCallbacks FrontendNode::Callbacks() {
 
 template <typename Message>
 void FrontendNode::OnImage(const boost::shared_ptr<const Message>& message) {
-  std::string error;
-  ImageBytes bytes = BytesOf(*message, &error);
+  const std_msgs::Header& header = message->header;
+  std::string error = "header.stamp is zero: expected the time when it was taken";
+  ImageBytes bytes = header.stamp.isZero() ? nullptr : BytesOf(*message, &error);
   if (bytes == nullptr) {
     ++num_malformed_;
     ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "image refused: " << error);
     return;
   }
-  const std_msgs::Header& header = message->header;
   gate_.Add(
       {ToNanoseconds(header.stamp), header.frame_id, std::to_string(header.seq), std::move(bytes)},
       SteadySeconds());
@@ -116,7 +116,7 @@ void FrontendNode::OnThresholds(FrontendThresholdsConfig& thresholds, uint32_t l
 void FrontendNode::Tick() {
   subscribers_.Search();
   ReleaseImages();
-  diagnostics_.update();
+  pace_.Tick();
 }
 
 void FrontendNode::ReleaseImages() {
@@ -151,6 +151,7 @@ void FrontendNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status)
   status.add("frames with odometry", progress.num_with_odometry);
   status.add("images dropped, queue full", gate_.NumDropped() + worker_.NumDropped());
   status.add("images refused", progress.counters.refused);
+  status.add("images repeated or late", progress.counters.late);
   status.add("images spoilt", progress.counters.spoilt);
   status.add("images without features", progress.counters.featureless);
   status.add("images lost by the tracker", progress.counters.untracked);

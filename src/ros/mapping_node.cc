@@ -13,6 +13,7 @@ namespace rovio_sfm {
 namespace {
 
 constexpr size_t kMaxHeldFrames = 200;  // of a robot, while what is missing before them is fetched
+constexpr size_t kMaxFrameBytes = 128u << 20;  // queued, and as much held
 constexpr size_t kHistoryEvents = 100000;
 constexpr size_t kHistoryBytes = 256u << 20;
 constexpr double kEdgePeriodS = 0.05;
@@ -25,11 +26,16 @@ constexpr uint32_t kServiceThreads = 2;  // one call may wait for the worker, an
 // counted, and fetched from their frontend; place matches refused are counted, with a warning; who
 // makes a call that is refused is told. Answers: one for each robot. The clock needs one.
 std::vector<LaneOptions> WorkerLanes() {
-  return {{500, LaneFull::kDropOldest},
+  return {{500, LaneFull::kDropOldest, kMaxFrameBytes},
           {5000, LaneFull::kRefuse, 64u << 20},
           {16, LaneFull::kRefuse},
           {64, LaneFull::kRefuse},
           {1, LaneFull::kRefuse}};
+}
+
+// What a frame takes in memory, about: its message and its event, which has no image.
+size_t SizeOf(const FrameEventMsg& message) {
+  return 2 * ros::serialization::serializationLength(message) - message.jpeg.size();
 }
 
 // What a match takes in memory, about.
@@ -67,7 +73,7 @@ MappingNode::MappingNode(const MappingNodeOptions& options, ros::NodeHandle node
                  OnAnswer(fetch, std::move(frames));
                }),
       gap_filler_(
-          {options.fetch_timeout_s, kMaxHeldFrames},
+          {options.fetch_timeout_s, kMaxHeldFrames, kMaxFrameBytes},
           [this](const FrameId& id) { return engine_.NextIndex(id); },
           [this](const GapFetch& fetch) { fetcher_.Fetch(fetch); }),
       service_spinner_(kServiceThreads, &service_queue_),
@@ -126,10 +132,14 @@ MappingNode::~MappingNode() {
 }
 
 void MappingNode::OnFrame(const FrameEventMsg::ConstPtr& message, FrameEvent event) {
-  worker_.Push(kFrameLane, [this, message, event = std::move(event)] {
-    gap_filler_.Add(Arrived(message, event), SteadySeconds());
-    CountGaps();
-  });
+  event.jpeg.reset();  // the message, which is kept for get_frames, has it
+  worker_.Push(
+      kFrameLane,
+      [this, message, event = std::move(event)] {
+        gap_filler_.Add(Arrived(message, event), SteadySeconds());
+        CountGaps();
+      },
+      SizeOf(*message));
 }
 
 void MappingNode::OnPlaceMatch(const PlaceMatchMsg::ConstPtr& message) {
@@ -168,7 +178,7 @@ void MappingNode::OnAnswer(const GapFetch& fetch, std::vector<FetchedFrame> fram
 }
 
 ArrivedFrame MappingNode::Arrived(const FrameEventMsg::ConstPtr& message, const FrameEvent& event) {
-  return {event.id, [this, message, event] { Map(message, event); }};
+  return {event.id, [this, message, event] { Map(message, event); }, SizeOf(*message)};
 }
 
 void MappingNode::CountGaps() {
@@ -212,8 +222,11 @@ void MappingNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) 
   const MapPicture picture = engine_.Picture();
   const IngestCounters counters = Counters();
   const auto& sessions = picture.snapshot->sessions;
+  const std::string foreign = frame_subscriber_.ForeignSender();
   if (!picture.store_error.empty()) {
     status.summary(Level::ERROR, "maps are not saved any more: " + picture.store_error);
+  } else if (!foreign.empty()) {
+    status.summary(Level::ERROR, foreign);
   } else if (picture.num_events == 0) {
     status.summary(Level::WARN, "no frames yet");
   } else if (!sessions.empty() && sessions.back().state == SessionState::kBootstrapping) {
@@ -226,6 +239,7 @@ void MappingNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) 
   status.add("events held, missing ones are fetched", num_held_.load());
   status.add("events dropped, queue full", counters.dropped);
   status.add("events refused", counters.refused + picture.counters.refused_events);
+  status.add("events refused, foreign sender", frame_subscriber_.NumForeign());
   status.add("events missing", picture.counters.missing_events);
   status.add("gaps lost, frontend silent", counters.lost_gaps);
   status.add("place matches", picture.num_place_matches);

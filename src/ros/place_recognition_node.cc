@@ -18,13 +18,14 @@ namespace {
 
 constexpr double kWarnPeriodS = 10.0;
 constexpr size_t kBytesPerMb = 1u << 20;
-constexpr size_t kMaxTold = 200;         // matches, some kB each
-constexpr uint32_t kServiceThreads = 1;  // calls wait for the worker one after the other
+constexpr size_t kMaxFrameBytes = 128u << 20;  // queued
+constexpr size_t kMaxTold = 200;               // matches, some kB each
+constexpr uint32_t kServiceThreads = 1;        // calls wait for the worker one after the other
 
 // In the order of PlaceRecognitionNode::Lane. Frames dropped are counted, and fetched again; a call
 // that is refused says so.
 std::vector<LaneOptions> WorkerLanes() {
-  return {{500, LaneFull::kDropOldest}, {16, LaneFull::kRefuse}};
+  return {{500, LaneFull::kDropOldest, kMaxFrameBytes}, {16, LaneFull::kRefuse}};
 }
 
 }  // namespace
@@ -46,9 +47,10 @@ PlaceRecognitionNode::PlaceRecognitionNode(const PlaceRecognitionNodeOptions& op
       service_spinner_(kServiceThreads, &service_queue_),
       diagnostics_(node, private_node),
       worker_(WorkerLanes(), [](const Job& job) { job(); }),
-      subscriber_(node_, options.robots, [this](const FrameEventMsg::ConstPtr&, FrameEvent event) {
-        worker_.Push(kFrameLane, [this, event = std::move(event)] { Ingest(event); });
-      }) {
+      subscriber_(node_, options.robots,
+                  [this](const FrameEventMsg::ConstPtr& message, FrameEvent event) {
+                    OnFrame(*message, std::move(event));
+                  }) {
   for (const std::string& robot : options_.robots) {
     frontends_[robot] =
         node_.serviceClient<rovio_sfm::GetFrames>("/" + robot + "/" + topics::kGetFrames);
@@ -66,6 +68,14 @@ PlaceRecognitionNode::~PlaceRecognitionNode() {
   const size_t num_forgotten = worker_.Stop();
   if (num_forgotten > 0)
     ROS_INFO_STREAM("ending: " << num_forgotten << " events were not looked at");
+}
+
+// Nobody here looks at the image: it is not kept.
+void PlaceRecognitionNode::OnFrame(const FrameEventMsg& message, FrameEvent event) {
+  event.jpeg.reset();
+  const size_t num_bytes = ros::serialization::serializationLength(message) - message.jpeg.size();
+  worker_.Push(
+      kFrameLane, [this, event = std::move(event)] { Ingest(event); }, num_bytes);
 }
 
 // After a restart: all that mapping holds.
@@ -193,7 +203,10 @@ PlaceStatus PlaceRecognitionNode::LastStatus() const {
 void PlaceRecognitionNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using Level = diagnostic_msgs::DiagnosticStatus;
   const PlaceStatus last = LastStatus();
-  if (last.num_events + last.num_fetched == 0) {
+  const std::string foreign = subscriber_.ForeignSender();
+  if (!foreign.empty()) {
+    status.summary(Level::ERROR, foreign);
+  } else if (last.num_events + last.num_fetched == 0) {
     status.summary(Level::WARN, "no frames yet");
   } else if (last.num_foreign_type > 0) {
     status.summary(Level::WARN, "keyframes refused: " + last.last_refusal);
@@ -204,6 +217,7 @@ void PlaceRecognitionNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper&
   status.add("events queued", worker_.NumQueued(kFrameLane));
   status.add("events dropped, queue full", worker_.NumDropped(kFrameLane));
   status.add("events refused", subscriber_.NumRefused());
+  status.add("events refused, foreign sender", subscriber_.NumForeign());
   status.add("events fetched", last.num_fetched);
   status.add("events missing", last.num_missing);
   status.add("places", last.num_places);

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <map>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <ostream>
@@ -48,6 +49,11 @@ void Declare(Arguments* arguments, CLI::App* app) {
   app->add_option("--odom-topic", arguments->topics.odom, "/<robot>/odom if not given");
   app->add_option("--calibration", arguments->calibration_file,
                   "instead of camera_info: calibration.txt, or camera_info as .yaml");
+  app->add_option("--stamps", arguments->topics.stamps,
+                  "header: messages count as of their header's stamp; bag: as of when they were "
+                  "recorded")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, StampSource>{
+          {"header", StampSource::kHeader}, {"bag", StampSource::kBag}}));
   DeclareMappingArguments(app, arguments);
 }
 
@@ -104,6 +110,9 @@ std::shared_ptr<const MapSnapshot> MapBags(const std::vector<BagDrive>& drives,
     out << drive.bag.string() << ": " << num_done << " images of " << drive.robot << ", "
         << images.NumRefused() << " messages refused\n";
     TellDrive(drive, images, out);
+    for (const auto& [reason, count] : images.Refusals()) {
+      out << "  " << count << " x " << reason << "\n";
+    }
   }
   const std::shared_ptr<const MapSnapshot> snapshot = mapper->Finish();
   out << mapper->mapper_counters().global_adjustments << " global adjustments\n";

@@ -20,6 +20,10 @@ RobotSensors::RobotSensors(const SensorOptions& options, const tf2::BufferCore* 
       odometry_(DurationNs(options.odom_memory_s), DurationNs(options.max_odom_gap_s)) {}
 
 bool RobotSensors::AddOdometry(const nav_msgs::Odometry& message, std::string* error) {
+  if (message.header.stamp.isZero()) {
+    *error = "header.stamp: zero";
+    return false;
+  }
   const std::optional<OdometrySample> sample = FromOdometry(message, error);
   if (!sample) return false;
   const int64_t stamp_ns = ToNanoseconds(message.header.stamp);

@@ -6,7 +6,9 @@
 #include <algorithm>
 
 #include "rovio_sfm/ros/run_node.h"
+#include "rovio_sfm/ros/sole_publisher.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
 namespace {
@@ -14,6 +16,7 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 
 constexpr double kStatusPeriodS = 1.0;
+constexpr double kTickPeriodS = 0.1;
 constexpr int kLowBattery = 106;  // below it the robot goes home by itself
 
 // "/a/rovio1/" becomes "a/rovio1".
@@ -23,25 +26,38 @@ std::string RobotName(const ros::NodeHandle& handle) {
   return name;
 }
 
+// The handle, unless another driver publishes there already.
+ros::NodeHandle WithoutRival(const ros::NodeHandle& handle) {
+  RequireSolePublisher(handle, {topics::kStatus, topics::kOdom, topics::kImageCompressed});
+  return handle;
+}
+
 template <typename T>
 uint8_t Byte(T value) {
   return static_cast<uint8_t>(std::clamp<int>(static_cast<int>(value), 0, 255));
 }
 
+// What is not known is 0, as the message says; its sentence names it.
 void FillReport(const RobotReport& report, RovioStatus* status) {
-  status->home_saved = report.home_saved;
-  status->state = Byte(report.state);
-  status->wifi_strength = Byte(report.wifi_strength);
-  status->northstar_strength = static_cast<uint16_t>(report.signal_strength);
-  status->battery = Byte(report.battery);
-  status->head_position = Byte(report.head_position);
+  status->home_saved = report.home_saved.value_or(false);
+  status->state = Byte(report.state.value_or(0));
+  status->wifi_strength = Byte(report.wifi_strength.value_or(0));
+  status->northstar_strength = static_cast<uint16_t>(report.signal_strength.value_or(0));
+  status->battery = Byte(report.battery.value_or(0));
+  status->head_position = Byte(report.head_position.value_or(0));
   status->is_charging = report.charging == 80;
-  status->is_on_dock = report.charging >= 64;
-  status->obstacle = report.obstacle;
-  status->resolution = Byte(report.camera.resolution);
-  status->compression = Byte(report.camera.compression);
-  status->frame_rate = Byte(report.camera.frame_rate);
-  status->brightness = Byte(report.camera.brightness);
+  status->is_on_dock = report.charging.value_or(0) >= 64;
+  status->obstacle = report.obstacle.value_or(false);
+  status->resolution = Byte(report.camera.resolution.value_or(0));
+  status->compression = Byte(report.camera.compression.value_or(0));
+  status->frame_rate = Byte(report.camera.frame_rate.value_or(0));
+  status->brightness = Byte(report.camera.brightness.value_or(0));
+  if (!report.odd_fields.empty()) status->message += "; GetReport: " + report.odd_fields;
+}
+
+void AddIfKnown(const std::string& name, const std::optional<int>& value,
+                diagnostic_updater::DiagnosticStatusWrapper* out) {
+  out->add(name, value ? std::to_string(*value) : "not known");
 }
 
 void FillMcu(const McuReport& mcu, RovioStatus* status) {
@@ -57,14 +73,15 @@ void FillMcu(const McuReport& mcu, RovioStatus* status) {
 RovioDriverNode::RovioDriverNode(const ros::NodeHandle& handle,
                                  const ros::NodeHandle& private_handle,
                                  const DriverOptions& options, const Credentials& credentials)
-    : handle_(handle),
+    : handle_(WithoutRival(handle)),
       status_(handle_.advertise<RovioStatus>(topics::kStatus, topics::kStatusQueue, true)),
       images_(handle, options, credentials),
       motion_(handle, options, credentials,
               {[this](bool is_moving, int64_t now_ns) { images_.NoteMotion(is_moving, now_ns); },
                [this] { images_.NoteSettings(); }}),
       services_(handle, options, credentials, &motion_),
-      updater_(handle, private_handle) {
+      updater_(handle, private_handle),
+      pace_(&updater_) {
   if (RobotName(handle).empty()) {
     ROS_WARN("rovio_driver runs in the root namespace; give each robot one of its own");
   }
@@ -72,6 +89,8 @@ RovioDriverNode::RovioDriverNode(const ros::NodeHandle& handle,
   updater_.add("robot", this, &RovioDriverNode::DiagnoseRobot);
   updater_.add("images", this, &RovioDriverNode::DiagnoseImages);
   updater_.add("motion", this, &RovioDriverNode::DiagnoseMotion);
+  tick_timer_ = handle_.createSteadyTimer(ros::WallDuration(kTickPeriodS),
+                                          [this](const ros::SteadyTimerEvent&) { pace_.Tick(); });
   status_timer_ = handle_.createSteadyTimer(
       ros::WallDuration(kStatusPeriodS), [this](const ros::SteadyTimerEvent&) { PublishStatus(); });
 }
@@ -89,15 +108,19 @@ void RovioDriverNode::PublishStatus() {
   status.images_published = images_.NumPublished();
   status.images_dropped = images_.NumDropped();
   status_.publish(status);
-  updater_.update();
+  images_.CheckSettings(SteadyNs());
 }
 
 void RovioDriverNode::DiagnoseRobot(Diagnostics& out) {
   const RobotState state = motion_.State();
   if (!state.is_up) {
     out.summary(DiagnosticStatus::ERROR, "no link: " + state.reason);
+  } else if (!state.foreign_hand.empty()) {
+    out.summary(DiagnosticStatus::WARN, state.foreign_hand);
   } else if (state.mcu && state.mcu->battery < kLowBattery) {
     out.summary(DiagnosticStatus::WARN, "battery low");
+  } else if (state.report && !state.report->odd_fields.empty()) {
+    out.summary(DiagnosticStatus::WARN, "GetReport: " + state.report->odd_fields);
   } else {
     out.summary(DiagnosticStatus::OK, state.reason);
   }
@@ -108,8 +131,8 @@ void RovioDriverNode::DiagnoseRobot(Diagnostics& out) {
     out.add("head position", state.mcu->head_position);
   }
   if (!state.report) return;
-  out.add("wifi strength (0 to 254)", state.report->wifi_strength);
-  out.add("NorthStar strength (0 to 65535)", state.report->signal_strength);
+  AddIfKnown("wifi strength (0 to 254)", state.report->wifi_strength, &out);
+  AddIfKnown("NorthStar strength (0 to 65535)", state.report->signal_strength, &out);
   out.add("camera", Describe(state.report->camera));
 }
 
@@ -128,6 +151,7 @@ void RovioDriverNode::DiagnoseImages(Diagnostics& out) {
   out.add("received", counters.num_images.load());
   out.add("published", state.num_published);
   out.add("dropped, no time", state.num_dropped);
+  out.add("dropped, no /clock", state.num_without_time);
   out.add("dropped, truncated", counters.num_truncated.load());
   out.add("dropped, corrupt", counters.num_corrupt.load());
   out.add("dropped, too large", counters.num_too_large.load());

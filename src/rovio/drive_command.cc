@@ -6,6 +6,7 @@ namespace rovio_sfm {
 namespace {
 
 constexpr int kMaxStopsInVain = 10;
+constexpr int64_t kWakingNs = 200'000'000;  // in which what waited is heard
 
 bool FallsSteadily(const std::array<double, 10>& table) {
   for (size_t i = 0; i + 1 < table.size(); ++i) {
@@ -66,8 +67,17 @@ DriveCommand ChooseDrive(const BaseVelocity& velocity, const DriveOptions& optio
 }
 
 void DriveScheduler::SetWish(const BaseVelocity& velocity, int64_t now_ns) {
-  wish_ = ChooseDrive(velocity, options_);
+  const DriveCommand wish = ChooseDrive(velocity, options_);
+  if (wish.code != DriveCode::kStop && now_ns < deaf_until_ns_) return;
+  wish_ = wish;
   wish_ns_ = now_ns;
+}
+
+void DriveScheduler::NoteAwake(int64_t now_ns) {
+  if (awake_ns_ && now_ns - *awake_ns_ > options_.max_command_age_ns) {
+    deaf_until_ns_ = now_ns + kWakingNs;
+  }
+  awake_ns_ = now_ns;
 }
 
 std::optional<DriveCommand> DriveScheduler::Next(int64_t now_ns) {

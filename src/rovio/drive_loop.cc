@@ -14,9 +14,18 @@ DriveLoop::DriveLoop(const DriveOptions& options, HttpTransport* transport, OnOu
 void DriveLoop::SetWish(const BaseVelocity& velocity, int64_t now_ns) {
   {
     MutexLock lock(mutex_);
+    scheduler_.NoteAwake(now_ns);
     scheduler_.SetWish(velocity, now_ns);
   }
-  Tick(now_ns);
+  worker_.Push(now_ns);
+}
+
+void DriveLoop::Tick(int64_t now_ns) {
+  {
+    MutexLock lock(mutex_);
+    scheduler_.NoteAwake(now_ns);
+  }
+  worker_.Push(now_ns);
 }
 
 bool DriveLoop::IsMoving() const {

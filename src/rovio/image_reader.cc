@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "rovio_sfm/rovio/jpeg_check.h"
+#include "rovio_sfm/scene/stamp_order.h"
+#include "rovio_sfm/util/jpeg_check.h"
 
 namespace rovio_sfm {
 namespace {
@@ -69,7 +70,7 @@ void ImageReader::Run() {
 
 bool ImageReader::UsesStream() const {
   if (options_.source != ImageSource::kAuto) return options_.source == ImageSource::kStream;
-  return callbacks_.now_ns() >= stills_until_ns_;
+  return callbacks_.steady_ns() >= stills_until_ns_;
 }
 
 void ImageReader::NoteFailure(bool was_stream) {
@@ -79,7 +80,7 @@ void ImageReader::NoteFailure(bool was_stream) {
   if (!was_stream || !is_stream_suspect_) return;
   if (++num_stream_failures_ < options_.max_stream_failures) return;
   num_stream_failures_ = 0;
-  stills_until_ns_ = callbacks_.now_ns() + Nanoseconds(options_.stream_retry_period_s);
+  stills_until_ns_ = callbacks_.steady_ns() + Nanoseconds(options_.stream_retry_period_s);
 }
 
 std::string ImageReader::ReadStream() {
@@ -88,15 +89,14 @@ std::string ImageReader::ReadStream() {
     const std::optional<std::string> boundary = BoundaryOf(content_type);
     if (status != 200 || !boundary) return false;
     parser.emplace(*boundary, options_.parser, [this](MjpegPart part) {
-      TakeImage({part.stamp_ns, callbacks_.now_ns(), 0, 0, std::move(part.body)},
-                ImageLink::kStream);
+      TakeImage(std::move(part.body), part.stamp_ns, ImageLink::kStream);
     });
     return true;
   };
-  last_image_ns_ = callbacks_.now_ns();
+  last_image_ns_ = callbacks_.steady_ns();
   bool is_idle = false;
   const auto on_bytes = [&](std::string_view bytes) {
-    const int64_t now_ns = callbacks_.now_ns();
+    const int64_t now_ns = callbacks_.steady_ns();
     if (!parser->Feed(bytes, now_ns)) return false;
     is_idle = now_ns - last_image_ns_ > Nanoseconds(options_.max_image_gap_s);
     return !is_idle;
@@ -121,21 +121,19 @@ std::string ImageReader::ReadStills() {
     RobotReply<StillImage> still = client_.GetStill(options_.parser.max_part_bytes);
     if (!still.value) return "stills: " + still.outcome.message;
     const uint64_t num_before = counters_.num_images;
-    const int64_t now_ns = callbacks_.now_ns();
-    TakeImage(
-        {now_ns - Nanoseconds(still.value->age_s), now_ns, 0, 0, std::move(still.value->jpeg)},
-        ImageLink::kStills);
+    TakeImage(std::move(still.value->jpeg),
+              callbacks_.steady_ns() - Nanoseconds(still.value->age_s), ImageLink::kStills);
     if (counters_.num_images == num_before) return "stills: damaged image";
   }
   return {};
 }
 
 bool ImageReader::MayGoOnWithStills() const {
-  return options_.source == ImageSource::kStills || callbacks_.now_ns() < stills_until_ns_;
+  return options_.source == ImageSource::kStills || callbacks_.steady_ns() < stills_until_ns_;
 }
 
-void ImageReader::TakeImage(CameraImage image, ImageLink link) {
-  const JpegInfo info = CheckJpeg(image.jpeg, options_.max_pixels);
+void ImageReader::TakeImage(std::string jpeg, int64_t first_byte_ns, ImageLink link) {
+  const JpegInfo info = CheckJpeg(jpeg, options_.max_pixels);
   if (info.fault != JpegFault::kNone) {
     const bool is_truncated = info.fault == JpegFault::kNoEnd;
     const bool is_too_large = info.fault == JpegFault::kTooManyPixels;
@@ -149,12 +147,18 @@ void ImageReader::TakeImage(CameraImage image, ImageLink link) {
   back_off_.Reset();
   ++counters_.num_images;
   SetLink(link, "images arrive");
-  image.stamp_ns = std::max(image.stamp_ns, last_stamp_ns_ + 1);  // stamps rise, whatever the clock
-  last_stamp_ns_ = image.stamp_ns;
-  last_image_ns_ = image.complete_ns;
-  image.width_px = info.width_px;
-  image.height_px = info.height_px;
-  callbacks_.on_image(std::move(image));
+  jpeg.resize(info.num_bytes);
+  last_stamp_ns_ = StampOf(first_byte_ns);
+  last_image_ns_ = callbacks_.steady_ns();
+  callbacks_.on_image({last_stamp_ns_, first_byte_ns, last_image_ns_, info.width_px, info.height_px,
+                       std::move(jpeg)});
+}
+
+// Stamps rise but where the clock jumps back: then all that is stamped does so together.
+int64_t ImageReader::StampOf(int64_t first_byte_ns) const {
+  const int64_t stamp_ns = callbacks_.now_ns() - (callbacks_.steady_ns() - first_byte_ns);
+  const bool is_late = OrderOf(stamp_ns, last_stamp_ns_) == StampOrder::kLate;
+  return is_late ? last_stamp_ns_ + 1 : stamp_ns;
 }
 
 void ImageReader::CountFault(HttpFault fault) {

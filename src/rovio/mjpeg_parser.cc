@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "rovio_sfm/rovio/header_value.h"
-#include "rovio_sfm/rovio/jpeg_check.h"
+#include "rovio_sfm/util/jpeg_check.h"
 
 namespace rovio_sfm {
 namespace {
@@ -19,7 +19,8 @@ bool EndsWholeJpeg(std::string_view body) {
   const size_t last = body.find_last_not_of("\r\n");
   if (last == std::string_view::npos || static_cast<unsigned char>(body[last]) != 0xD9)
     return false;
-  return CheckJpeg(body, SIZE_MAX).fault == JpegFault::kNone;
+  const JpegInfo info = CheckJpegMarkers(body, SIZE_MAX);
+  return info.fault == JpegFault::kNone && info.num_bytes == last + 1;
 }
 
 }  // namespace

@@ -76,17 +76,18 @@ RobotReply<StillImage> RovioClient::GetStill(size_t max_bytes) {
   return {{}, StillImage{std::move(response.body), response.body_duration_s}};
 }
 
-RobotOutcome RovioClient::RequestSettings(const CameraSettings& wanted,
-                                          const CameraSettings& present) {
+RobotOutcome RovioClient::RequestSettings(const SomeSettings& wanted, const SomeSettings& present) {
   RobotOutcome outcome;
-  const auto request = [&](int wish, int now, const std::string& target) {
+  const auto request = [&](const std::optional<int>& wish, const std::optional<int>& now,
+                           std::string (*target)(int)) {
     HttpResponse response;
-    if (outcome.IsOk() && wish != now) outcome = Fetch(target, kMaxReplyBytes, &response);
+    if (!outcome.IsOk() || !wish || wish == now) return;
+    outcome = Fetch(target(*wish), kMaxReplyBytes, &response);
   };
-  request(wanted.frame_rate, present.frame_rate, FrameRateTarget(wanted.frame_rate));
-  request(wanted.brightness, present.brightness, BrightnessTarget(wanted.brightness));
-  request(wanted.compression, present.compression, CompressionTarget(wanted.compression));
-  request(wanted.resolution, present.resolution, ResolutionTarget(wanted.resolution));
+  request(wanted.frame_rate, present.frame_rate, FrameRateTarget);
+  request(wanted.brightness, present.brightness, BrightnessTarget);
+  request(wanted.compression, present.compression, CompressionTarget);
+  request(wanted.resolution, present.resolution, ResolutionTarget);
   return outcome;
 }
 

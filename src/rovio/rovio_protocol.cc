@@ -57,41 +57,46 @@ Fields SplitFields(std::string_view responses) {
   return fields;
 }
 
-// Reads integers out of fields and remembers the first that fails.
+// Reads integers out of fields and names those that it cannot read.
 class FieldReader {
  public:
   explicit FieldReader(const Fields& fields) : fields_(fields) {}
 
-  int Read(const char* name, int low, int high, int base = 10) {
+  std::optional<int> Read(const char* name, int low, int high, int base = 10) {
     const auto it = fields_.find(name);
-    if (it == fields_.end()) return RefuseValue(name, "is missing");
+    if (it == fields_.end()) return NoteOdd(name, "is missing");
     const std::optional<int> value = ParseInt(it->second, base);
-    if (!value) return RefuseValue(name, "is no number");
-    if (*value < low || *value > high) return RefuseValue(name, "is out of range");
-    return *value;
+    if (!value) return NoteOdd(name, "is no number");
+    if (*value < low || *value > high) return NoteOdd(name, "is out of range");
+    return value;
   }
 
-  const std::string& error() const { return error_; }
+  const std::string& odd_fields() const { return odd_fields_; }
 
  private:
-  int RefuseValue(const char* name, const char* what) {
-    if (error_.empty()) error_ = std::string("field ") + name + " " + what;
-    return 0;
+  std::optional<int> NoteOdd(const char* name, const char* what) {
+    odd_fields_ += (odd_fields_.empty() ? "" : ", ") + (std::string(name) + " " + what);
+    return std::nullopt;
   }
 
   const Fields& fields_;
-  std::string error_;
+  std::string odd_fields_;
 };
+
+std::optional<bool> BitOf(const std::optional<int>& flags, int bit) {
+  if (!flags) return std::nullopt;
+  return (*flags & bit) != 0;
+}
 
 RobotReport ReadReport(FieldReader& reader) {
   RobotReport report;
   report.state = reader.Read("state", 0, 255);
   report.signal_strength = reader.Read("ss", 0, 65535);
-  const int flags = reader.Read("flags", 0, 0xFFFF, 16);
-  report.home_saved = (flags & 1) != 0;
-  report.obstacle = (flags & 2) != 0;
-  report.infrared_on = (flags & 4) != 0;
-  report.is_login_required = reader.Read("user_check", 0, 1) == 1;
+  const std::optional<int> flags = reader.Read("flags", 0, 0xFFFF, 16);
+  report.home_saved = BitOf(flags, 1);
+  report.obstacle = BitOf(flags, 2);
+  report.infrared_on = BitOf(flags, 4);
+  report.is_login_required = BitOf(reader.Read("user_check", 0, 1), 1);
   report.wifi_strength = reader.Read("wifi_ss", 0, 255);
   report.battery = reader.Read("battery", 0, 255);
   report.charging = reader.Read("charging", 0, 255);
@@ -100,6 +105,7 @@ RobotReport ReadReport(FieldReader& reader) {
   report.camera.resolution = reader.Read("resolution", 0, 255);
   report.camera.compression = reader.Read("video_compression", 0, 255);
   report.camera.frame_rate = reader.Read("frame_rate", 0, 255);
+  report.odd_fields = reader.odd_fields();
   return report;
 }
 
@@ -201,10 +207,7 @@ std::optional<RobotReport> ParseReport(std::string_view body, std::string* error
   }
   const Fields fields = SplitFields(*responses);
   FieldReader reader(fields);
-  const RobotReport report = ReadReport(reader);
-  *error = reader.error();
-  if (!error->empty()) return std::nullopt;
-  return report;
+  return ReadReport(reader);
 }
 
 std::optional<McuReport> ParseMcuReport(std::string_view body, std::string* error) {

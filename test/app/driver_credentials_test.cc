@@ -48,6 +48,24 @@ TEST_F(LoadCredentialsTest, RefusesMissingAndMalformedFiles) {
   EXPECT_THROW(LoadCredentials(path_), std::runtime_error);
 }
 
+TEST_F(LoadCredentialsTest, TellsWindowsLineEndsAndAColonInTheName) {
+  const auto error_of = [this] {
+    try {
+      LoadCredentials(path_);
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  Write("admin\r\nsecret\r\n", 0600);
+  EXPECT_NE(error_of().find("carriage return"), std::string::npos);
+  Write("ad:min\nsecret\n", 0600);
+  EXPECT_NE(error_of().find("colon"), std::string::npos);
+  EXPECT_EQ(error_of().find("secret"), std::string::npos);
+  Write("admin\nse:cret\n", 0600);
+  EXPECT_EQ(error_of(), "");
+}
+
 TEST_F(LoadCredentialsTest, TakesTheEnvironmentWithoutAFile) {
   setenv("ROVIO_USER", "guest", 1);
   setenv("ROVIO_PASSWORD", "word", 1);

@@ -146,6 +146,18 @@ TEST_F(GapFillerTest, FullHoldGivesTheFetchUp) {
   EXPECT_EQ(filler_.num_given_up(), 1u);
 }
 
+TEST_F(GapFillerTest, HoldFullOfBytesGivesTheFetchUp) {
+  constexpr size_t kMany = 100u << 20;
+  ArrivedFrame first = Frame(2), second = Frame(3);
+  first.num_bytes = second.num_bytes = kMany;
+  filler_.Add(std::move(first), now_s_);
+  EXPECT_EQ(filler_.NumHeld(), 1u);
+  filler_.Add(std::move(second), now_s_);
+  EXPECT_EQ(filler_.NumHeld(), 0u);
+  EXPECT_EQ(delivered_, "2 3 ");
+  EXPECT_EQ(filler_.num_given_up(), 1u);
+}
+
 TEST_F(GapFillerTest, EndedWaitHandsOnWhatIsHeldOfThatRobotAlone) {
   Add(2);
   Add(3);

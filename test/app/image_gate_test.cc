@@ -87,5 +87,17 @@ TEST_F(ImageGateTest, OldestIsDroppedWhenFull) {
   EXPECT_EQ(event->name, "101");
 }
 
+TEST_F(ImageGateTest, OldestIsDroppedWhenFullOfBytes) {
+  for (int64_t i = 0; i < 3; ++i) {
+    RawImage image = Image(100 + i);
+    image.bytes = std::make_shared<const std::vector<uint8_t>>(ImageGate::kMaxBytes / 2 + 1);
+    gate_.Add(std::move(image), 0.0);
+  }
+  EXPECT_EQ(gate_.NumDropped(), 1u);
+  const auto event = gate_.Take(10.0);
+  ASSERT_TRUE(event);
+  EXPECT_EQ(event->name, "101");
+}
+
 }  // namespace
 }  // namespace rovio_sfm

@@ -35,11 +35,21 @@ TEST(OdometryBuffer, CoversWhatLaterSamplesCannotChange) {
 
 TEST(OdometryBuffer, ForgetsWhatCameBeforeTimeJumpedBack) {
   OdometryBuffer buffer(1000, 1000);
-  buffer.Add(At(500, 1.0));
+  buffer.Add(At(2'000'000'500, 1.0));
   buffer.Add(At(100, 2.0));
   EXPECT_FALSE(buffer.Covers(500));
   ASSERT_TRUE(buffer.At(100));
   EXPECT_DOUBLE_EQ(buffer.At(100)->x_m, 2.0);
+}
+
+TEST(OdometryBuffer, PassesOverRepeatedAndLateSamples) {
+  OdometryBuffer buffer(1000, 1000);
+  buffer.Add(At(400, 1.0));
+  buffer.Add(At(500, 2.0));
+  buffer.Add(At(500, 7.0));
+  buffer.Add(At(450, 7.0));
+  ASSERT_TRUE(buffer.At(450));
+  EXPECT_DOUBLE_EQ(buffer.At(450)->x_m, 1.5);
 }
 
 TEST(OdometryBuffer, ForgetsOldSamplesButKeepsItsMemory) {

@@ -37,6 +37,12 @@ TEST(WriteMapFiles, WritesEachOfSeveralDrivesByItself) {
   EXPECT_EQ(ReadTrajectory(folder.Path() / "trajectory_robot2.txt").size(), 3u);
 }
 
+TEST(MapTrajectoryText, HoldsEachStampOnce) {
+  const TemporaryFolder folder;
+  folder.Write("all.txt", MapTrajectoryText(SmallMap(2)));  // both have the same three stamps
+  EXPECT_EQ(ReadTrajectory(folder.Path() / "all.txt").size(), 3u);
+}
+
 TEST(WriteMapFiles, WritesEachOfARobotsDrivesByItself) {
   const TemporaryFolder folder;
   LevelMap map = SmallMap(3);

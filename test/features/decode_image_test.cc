@@ -49,7 +49,14 @@ TEST(DecodeImage, RefusesByTheHeaderAlone) {
 TEST(DecodeImage, RefusesATruncatedJpeg) {
   std::vector<uint8_t> bytes = Encode(".jpg");
   bytes.resize(bytes.size() / 2);
-  EXPECT_EQ(DecodeImage(bytes, kManyPixels).reason, "JPEG without an end marker");
+  EXPECT_EQ(DecodeImage(bytes, kManyPixels).reason, "JPEG truncated: no end marker");
+}
+
+TEST(DecodeImage, RefusesAJpegThatLostDataAndKeptItsEnd) {
+  std::vector<uint8_t> bytes = Encode(".jpg");
+  bytes.erase(bytes.end() - 400, bytes.end() - 2);
+  EXPECT_EQ(DecodeImage(bytes, kManyPixels).reason,
+            "JPEG damaged: image data are missing or wrong");
 }
 
 TEST(DecodeImage, TakesJunkAfterTheEndMarker) {

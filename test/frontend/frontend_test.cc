@@ -97,7 +97,9 @@ TEST(Frontend, StartsADriveWhenTimeJumpsBackOrTheCameraChanges) {
   const MovingImages images;
   Frontend frontend(SmallOptions(KeyframeMode::kEvery), "rovio", 1, 5);
   const auto first = frontend.Add(MovingImages::Event(images.At(0), 4));
-  const auto looped = frontend.Add(MovingImages::Event(images.At(0), 4));
+  ImageEvent back = MovingImages::Event(images.At(0), 4);
+  back.stamp_ns -= 1'000'000'001;
+  const auto looped = frontend.Add(back);
   ImageEvent other_camera = MovingImages::Event(images.At(0), 5);
   other_camera.camera.fx = 250.0;
   const auto recalibrated = frontend.Add(other_camera);
@@ -108,6 +110,35 @@ TEST(Frontend, StartsADriveWhenTimeJumpsBackOrTheCameraChanges) {
   EXPECT_EQ(looped->id.index, 0u);
   EXPECT_TRUE(looped->pairs.empty());
   EXPECT_EQ(frontend.counters().drives, 3u);
+}
+
+TEST(Frontend, PassesOverRepeatedAndLateImagesAndGoesOn) {
+  const MovingImages images;
+  Frontend frontend(SmallOptions(KeyframeMode::kEvery), "rovio", 1, 5);
+  const auto first = frontend.Add(MovingImages::Event(images.At(0), 4));
+  EXPECT_FALSE(frontend.Add(MovingImages::Event(images.At(0), 4)).has_value());
+  ImageEvent late = MovingImages::Event(images.At(8), 4);
+  late.stamp_ns -= 1'000'000'000;
+  EXPECT_FALSE(frontend.Add(late).has_value());
+  EXPECT_NE(frontend.last_refusal().find("late"), std::string::npos) << frontend.last_refusal();
+  const auto next = frontend.Add(MovingImages::Event(images.At(8), 5));
+  ASSERT_TRUE(first && next);
+  EXPECT_EQ(next->id.drive, first->id.drive);
+  EXPECT_EQ(next->id.index, 1u);
+  EXPECT_EQ(frontend.counters().late, 2u);
+  EXPECT_EQ(frontend.counters().drives, 1u);
+}
+
+TEST(Frontend, TakesACameraWhoseLastDigitsDifferForTheDrives) {
+  const MovingImages images;
+  Frontend frontend(SmallOptions(KeyframeMode::kEvery), "rovio", 1, 5);
+  ImageEvent rounded = MovingImages::Event(images.At(8), 1);
+  rounded.camera.fx += 1e-9;
+  const auto first = frontend.Add(MovingImages::Event(images.At(0), 0));
+  const auto next = frontend.Add(rounded);
+  ASSERT_TRUE(first && next);
+  EXPECT_EQ(next->id.drive, first->id.drive);
+  EXPECT_EQ(next->camera, first->camera);  // the first counts
 }
 
 TEST(Frontend, CountsAndNamesWhatItRefuses) {

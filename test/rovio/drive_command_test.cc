@@ -131,5 +131,17 @@ TEST(DriveOptions, RefusesTablesThatDoNotFallAndOddTimes) {
   EXPECT_FALSE(IsValid(options, &error));
 }
 
+TEST(DriveScheduler, DoesNotTakeAMotionThatWaitedWhileTheProcessSlept) {
+  DriveScheduler scheduler({});
+  constexpr int64_t kSecond = 1'000'000'000;
+  scheduler.NoteAwake(0);
+  scheduler.NoteAwake(100 * kSecond);
+  scheduler.SetWish({0.2, 0, 0}, 100 * kSecond);
+  EXPECT_FALSE(scheduler.Next(100 * kSecond));
+  scheduler.NoteAwake(100 * kSecond + kSecond / 4);
+  scheduler.SetWish({0.2, 0, 0}, 100 * kSecond + kSecond / 4);
+  EXPECT_TRUE(scheduler.Next(100 * kSecond + kSecond / 4));
+}
+
 }  // namespace
 }  // namespace rovio_sfm

@@ -5,11 +5,12 @@
 #include <thread>
 
 #include "rovio/fake_http_transport.h"
-#include "rovio/jpeg_sample.h"
+#include "util/jpeg_sample.h"
 
 namespace rovio_sfm {
 namespace {
 
+constexpr int64_t kEpochNs = 1'600'000'000'000'000'000;
 constexpr char kPartHeader[] = "--WINBONDBOUDARY\r\nContent-Type: image/jpeg\r\n\r\n";
 
 // Runs a reader on a fake robot until it has waited so many times; nothing sleeps.
@@ -30,7 +31,8 @@ class ReaderRun {
   std::vector<ImageLink> links;
   std::vector<std::string> reasons;
   std::vector<double> waits_s;
-  int64_t clock_step_ns = 1000000;  // from one look at the clock to the next
+  int64_t clock_offset_ns = 0;  // of the clock that stamps bear
+  int64_t clock_jump_ns = 0;    // at each image
   size_t max_images = 1000;
 
  private:
@@ -38,13 +40,15 @@ class ReaderRun {
     ImageReader::Callbacks callbacks;
     callbacks.on_image = [this](CameraImage image) {
       images.push_back(std::move(image));
+      clock_offset_ns += clock_jump_ns;
       if (images.size() >= max_images) gate_.Stop();
     };
     callbacks.on_link = [this](ImageLink link, const std::string& reason) {
       links.push_back(link);
       reasons.push_back(reason);
     };
-    callbacks.now_ns = [this] { return now_ns_ += clock_step_ns; };
+    callbacks.now_ns = [this] { return kEpochNs + now_ns_ + clock_offset_ns; };
+    callbacks.steady_ns = [this] { return now_ns_ += 1000000; };
     callbacks.wait = [this](double seconds) {
       waits_s.push_back(seconds);
       now_ns_ += static_cast<int64_t>(seconds * 1e9);
@@ -73,13 +77,24 @@ TEST(ImageReader, HandsOnTheImagesOfTheStreamWithRisingStamps) {
   EXPECT_EQ(run.images[0].jpeg, JpegSample(640, 480, 'a'));
   EXPECT_EQ(run.images[1].width_px, 640);
   EXPECT_GT(run.images[1].stamp_ns, run.images[0].stamp_ns);
-  EXPECT_GE(run.images[1].complete_ns, run.images[1].stamp_ns);
+  EXPECT_GE(run.images[1].complete_ns, run.images[1].first_byte_ns);
   EXPECT_EQ(run.links, (std::vector<ImageLink>{ImageLink::kStream, ImageLink::kDown}));
 }
 
-TEST(ImageReader, StampsRiseThoughTheClockFalls) {
+TEST(ImageReader, StampsFollowAClockThatStepsBack) {
   ReaderRun run({});
-  run.clock_step_ns = -1000000;
+  run.clock_jump_ns = -300'000'000'000;
+  run.robot.AnswerStream(StreamOf({JpegSample(640, 480, 'a'), JpegSample(640, 480, 'b')}));
+  run.Run(1);
+  ASSERT_EQ(run.images.size(), 2u);
+  const int64_t apart_ns = run.images[1].first_byte_ns - run.images[0].first_byte_ns;
+  EXPECT_GT(apart_ns, 0);
+  EXPECT_EQ(run.images[1].stamp_ns - run.images[0].stamp_ns, apart_ns - 300'000'000'000);
+}
+
+TEST(ImageReader, StampsRiseThoughTheClockFallsALittle) {
+  ReaderRun run({});
+  run.clock_jump_ns = -100000000;
   run.robot.AnswerStream(
       StreamOf({JpegSample(640, 480, 'a'), JpegSample(640, 480, 'b'), JpegSample(640, 480, 'c')}));
   run.Run(1);
@@ -91,8 +106,8 @@ TEST(ImageReader, StampsRiseThoughTheClockFalls) {
 TEST(ImageReader, DropsAndCountsDamagedImages) {
   ReaderRun run({});
   const std::string whole = JpegSample(640, 480);
-  run.robot.AnswerStream(StreamOf(
-      {whole, whole.substr(0, 180), JpegSample(2000, 2000), std::string(300, 'x'), whole}));
+  run.robot.AnswerStream(StreamOf({whole, whole.substr(0, whole.size() - 20),
+                                   WithJpegSize(whole, 2000, 2000), std::string(300, 'x'), whole}));
   run.Run(1);
   EXPECT_EQ(run.images.size(), 2u);
   EXPECT_EQ(run.Counters().num_truncated, 1u);

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "rovio/jpeg_sample.h"
 #include "rovio_sfm/util/rng.h"
+#include "util/jpeg_sample.h"
 
 namespace rovio_sfm {
 namespace {

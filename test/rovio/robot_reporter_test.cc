@@ -21,8 +21,15 @@ class RobotReporterTest : public testing::Test {
  protected:
   RobotReporterTest() {
     options_.wanted_settings = CameraSettings{};
+    MakeReporter();
+  }
+
+  void MakeReporter() {
     RobotReporter::Callbacks callbacks;
-    callbacks.on_mcu = [this](const McuReport& mcu, int64_t) { readings_.push_back(mcu); };
+    callbacks.on_mcu = [this](const McuReport& mcu, const ReadingTime& time) {
+      times_.push_back(time);
+      readings_.push_back(mcu);
+    };
     callbacks.on_lost_mcu = [this] { ++num_lost_; };
     callbacks.on_report = [this](const RobotReport&) { ++num_reports_; };
     callbacks.on_link = [this](bool is_up, const std::string& reason) {
@@ -32,7 +39,8 @@ class RobotReporterTest : public testing::Test {
     callbacks.on_settings = [this](bool has_obeyed, const std::string&) {
       obeyed_.push_back(has_obeyed);
     };
-    callbacks.now_ns = [this] { return now_ns_; };
+    callbacks.now_ns = [this] { return now_ns_ + clock_offset_ns_; };
+    callbacks.steady_ns = [this] { return now_ns_; };
     reporter_ = std::make_unique<RobotReporter>(options_, &robot_, callbacks);
   }
 
@@ -44,7 +52,8 @@ class RobotReporterTest : public testing::Test {
   FakeHttpTransport robot_;
   ReporterOptions options_;
   std::unique_ptr<RobotReporter> reporter_;
-  int64_t now_ns_ = 0;
+  int64_t now_ns_ = 0, clock_offset_ns_ = 1'000'000'000'000;
+  std::vector<ReadingTime> times_;
   std::vector<McuReport> readings_;
   std::vector<bool> links_, obeyed_;
   std::string reason_;
@@ -64,6 +73,35 @@ TEST_F(RobotReporterTest, BacksOffWhileTheRobotIsAwayAndTellsOnce) {
   for (int i = 0; i < 200; ++i) AskAfter(0.05);  // ten seconds
   EXPECT_EQ(robot_.targets.size(), 6u);          // at 0, 0.25, 0.75, 1.75, 3.75, 7.75 s
   EXPECT_EQ(num_lost_, 6);
+  EXPECT_EQ(links_, (std::vector<bool>{false}));
+}
+
+TEST_F(RobotReporterTest, GoesOnAskingWhenTheClockStepsBack) {
+  robot_.Answer(McuReportTarget(), FakeHttpTransport::Ok(kMcuReport));
+  AskAfter(0.05);
+  clock_offset_ns_ -= 300'000'000'000;
+  AskAfter(0.05);
+  ASSERT_EQ(times_.size(), 2u);
+  EXPECT_EQ(times_[1].steady_ns - times_[0].steady_ns, 50'000'000);
+  EXPECT_EQ(times_[1].stamp_ns - times_[0].stamp_ns, 50'000'000 - 300'000'000'000);
+}
+
+TEST_F(RobotReporterTest, BackOffEndsThoughTheClockStepsBack) {
+  robot_.Answer(McuReportTarget(), FakeHttpTransport::Fault(HttpFault::kTimeout));
+  robot_.Answer(McuReportTarget(), FakeHttpTransport::Ok(kMcuReport));
+  AskAfter(0.05);
+  clock_offset_ns_ -= 300'000'000'000;
+  AskAfter(0.3);
+  EXPECT_EQ(times_.size(), 1u);
+}
+
+TEST_F(RobotReporterTest, TellsARobotThatIsSilentForTwoSecondsWhateverTheFailures) {
+  options_.max_failures = 1000;
+  MakeReporter();
+  robot_.Answer(McuReportTarget(), FakeHttpTransport::Fault(HttpFault::kTimeout));
+  for (int i = 0; i < 36; ++i) AskAfter(0.05);  // asked at 0.05, 0.3, 0.8 and 1.8 s
+  EXPECT_TRUE(links_.empty());
+  for (int i = 0; i < 45; ++i) AskAfter(0.05);  // and at 3.8 s
   EXPECT_EQ(links_, (std::vector<bool>{false}));
 }
 

@@ -65,9 +65,18 @@ TEST_F(RovioClientTest, SendsOnlySettingsThatDiffer) {
   present.frame_rate = 30;
   robot_.Answer(ResolutionTarget(wanted.resolution), FakeHttpTransport::Ok(""));
   robot_.Answer(FrameRateTarget(wanted.frame_rate), FakeHttpTransport::Ok(""));
-  EXPECT_TRUE(client_.RequestSettings(wanted, present).IsOk());
+  EXPECT_TRUE(client_.RequestSettings(SomeSettings(wanted), SomeSettings(present)).IsOk());
   EXPECT_EQ(robot_.targets, (std::vector<std::string>{FrameRateTarget(wanted.frame_rate),
                                                       ResolutionTarget(wanted.resolution)}));
+}
+
+TEST_F(RovioClientTest, SendsSettingsThatTheRobotDoesNotTell) {
+  const CameraSettings wanted;
+  SomeSettings present(wanted);
+  present.resolution.reset();
+  robot_.Answer(ResolutionTarget(wanted.resolution), FakeHttpTransport::Ok(""));
+  EXPECT_TRUE(client_.RequestSettings(SomeSettings(wanted), present).IsOk());
+  EXPECT_EQ(robot_.targets, (std::vector<std::string>{ResolutionTarget(wanted.resolution)}));
 }
 
 TEST_F(RovioClientTest, CapsAStill) {

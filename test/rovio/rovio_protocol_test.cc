@@ -24,9 +24,10 @@ TEST(ParseReport, ReadsTheReportOfARealRobot) {
   const std::optional<RobotReport> report = ParseReport(kReport, &error);
   ASSERT_TRUE(report) << error;
   EXPECT_EQ(report->signal_strength, 60);
-  EXPECT_TRUE(report->home_saved);
-  EXPECT_FALSE(report->obstacle);
-  EXPECT_TRUE(report->is_login_required);
+  EXPECT_EQ(report->home_saved, true);
+  EXPECT_EQ(report->obstacle, false);
+  EXPECT_EQ(report->is_login_required, true);
+  EXPECT_EQ(report->odd_fields, "");
   EXPECT_EQ(report->camera.resolution, 3);
   EXPECT_EQ(report->camera.compression, 2);
   EXPECT_EQ(report->camera.frame_rate, 30);
@@ -41,22 +42,23 @@ TEST(ParseReport, ReadsFlagsAsHexDigits) {
   body.replace(body.find("flags=0001"), 10, "flags=0007");
   const std::optional<RobotReport> report = ParseReport(body, &error);
   ASSERT_TRUE(report) << error;
-  EXPECT_TRUE(report->obstacle && report->infrared_on && report->home_saved);
+  EXPECT_EQ(report->obstacle, true);
+  EXPECT_EQ(report->infrared_on, true);
+  EXPECT_EQ(report->home_saved, true);
 }
 
-TEST(ParseReport, SaysWhichFieldIsMissingOrOdd) {
+TEST(ParseReport, NamesEachFieldThatIsMissingOrOddAndReadsTheOthers) {
   std::string body = kReport, error;
   body.replace(body.find("battery=123"), 11, "battery=abc");
-  EXPECT_FALSE(ParseReport(body, &error));
-  EXPECT_EQ(error, "field battery is no number");
-  body = kReport;
   body.erase(body.find("|wifi_ss=212"), 12);
-  EXPECT_FALSE(ParseReport(body, &error));
-  EXPECT_EQ(error, "field wifi_ss is missing");
-  body = kReport;
-  body.replace(body.find("wifi_ss=212"), 11, "wifi_ss=999");
-  EXPECT_FALSE(ParseReport(body, &error));
-  EXPECT_EQ(error, "field wifi_ss is out of range");
+  body.replace(body.find("frame_rate=30"), 13, "frame_rate=999");
+  const std::optional<RobotReport> report = ParseReport(body, &error);
+  ASSERT_TRUE(report) << error;
+  EXPECT_EQ(report->odd_fields,
+            "wifi_ss is missing, battery is no number, frame_rate is out of range");
+  EXPECT_FALSE(report->wifi_strength || report->battery || report->camera.frame_rate);
+  EXPECT_EQ(report->camera.resolution, 3);
+  EXPECT_EQ(report->head_position, 202);
 }
 
 TEST(ParseReport, RefusesOtherRepliesAndCodes) {

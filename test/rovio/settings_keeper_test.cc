@@ -8,8 +8,8 @@ namespace {
 using Step = SettingsKeeper::Step;
 constexpr int64_t kSecond = 1000000000;
 
-CameraSettings OtherSettings() {
-  CameraSettings settings;
+SomeSettings OtherSettings() {
+  SomeSettings settings{CameraSettings{}};
   settings.resolution = 2;
   return settings;
 }
@@ -19,7 +19,7 @@ TEST(SettingsKeeper, AsksOnceAndWaitsUntilTheRobotAgrees) {
   EXPECT_EQ(keeper.Next(OtherSettings(), 0), Step::kRequest);
   keeper.MarkRequested(true, 0);
   EXPECT_EQ(keeper.Next(OtherSettings(), 1 * kSecond), Step::kNothing);
-  EXPECT_EQ(keeper.Next(CameraSettings{}, 2 * kSecond), Step::kAgreed);
+  EXPECT_EQ(keeper.Next(SomeSettings(CameraSettings{}), 2 * kSecond), Step::kAgreed);
   EXPECT_EQ(keeper.Next(OtherSettings(), 3 * kSecond), Step::kNothing);
 }
 
@@ -36,6 +36,16 @@ TEST(SettingsKeeper, AsksAgainWhenTheRequestWasLost) {
   EXPECT_EQ(keeper.Next(OtherSettings(), 0), Step::kRequest);
   keeper.MarkRequested(false, 0);
   EXPECT_EQ(keeper.Next(OtherSettings(), 1 * kSecond), Step::kRequest);
+}
+
+TEST(SettingsKeeper, AsksOnceForWhatTheRobotDoesNotTellAndTakesItAsGranted) {
+  SettingsKeeper keeper(CameraSettings{});
+  SomeSettings present{CameraSettings{}};
+  present.frame_rate.reset();
+  EXPECT_EQ(keeper.Next(present, 0), Step::kRequest);
+  keeper.MarkRequested(true, 0);
+  EXPECT_EQ(keeper.Next(present, 1 * kSecond), Step::kAgreed);
+  EXPECT_EQ(Describe(present), "resolution 3, compression 2, frame_rate ?, brightness 6");
 }
 
 TEST(SettingsKeeper, LeavesTheRobotAloneWhenNothingIsWanted) {

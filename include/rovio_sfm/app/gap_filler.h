@@ -16,6 +16,7 @@ namespace rovio_sfm {
 struct ArrivedFrame {
   FrameId id;
   std::function<void()> deliver;
+  size_t num_bytes = 0;  // that it takes while it is held
 };
 
 // The frames of a drive from `first` to before `end`, to be fetched from who sent it.
@@ -27,7 +28,8 @@ struct GapFetch {
 
 struct GapFillerOptions {
   double timeout_s = 5.0;  // steady; a fetch that is out for longer is given up
-  size_t max_held = 200;   // frames of a robot that wait for a fetch; one more gives it up
+  size_t max_held = 200;   // frames of a robot that wait for a fetch; one more gives it up,
+  size_t max_held_bytes = 128u << 20;  // as more than this does
 };
 
 // Hands on the frames of every robot in order. While what is missing before a frame is fetched,
@@ -65,6 +67,7 @@ class GapFiller {
     GapFetch fetch;
     double deadline_s = 0.0;
     std::deque<ArrivedFrame> held;  // the frame after the gap first; never empty
+    size_t num_held_bytes = 0;
   };
 
   bool IsSilent(const std::string& robot) const;

@@ -52,7 +52,8 @@ class RobotKnowledge {
 // the knowledge is borrowed.
 class ImageGate {
  public:
-  static constexpr size_t kCapacity = 16;  // images; drop oldest
+  static constexpr size_t kCapacity = 16;          // images; drop oldest
+  static constexpr size_t kMaxBytes = 128u << 20;  // of all but the newest; likewise
 
   ImageGate(const GateOptions& options, const RobotKnowledge* robot)
       : options_(options), robot_(robot) {}
@@ -70,6 +71,7 @@ class ImageGate {
   };
 
   bool IsReady(const Entry& entry, double now_s);
+  size_t NumBytes() const;
 
   GateOptions options_;
   const RobotKnowledge* robot_;

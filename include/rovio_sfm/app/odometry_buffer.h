@@ -15,8 +15,8 @@ class OdometryBuffer {
   OdometryBuffer(int64_t memory_ns, int64_t max_gap_ns)
       : memory_ns_(memory_ns), max_gap_ns_(max_gap_ns) {}
 
-  // A stamp before the last one means that time jumped back: what came earlier is forgotten. An
-  // equal stamp is ignored.
+  // A sample that is repeated or late is ignored; where time jumped back (scene/stamp_order.h) what
+  // came earlier is forgotten.
   void Add(const StampedOdometry& sample);
 
   // odom_from_base at the stamp; nothing outside of what was received or in a gap.

@@ -21,12 +21,10 @@ struct DecodeResult {
 // bytes are neither or the header is broken.
 std::optional<ImageSize> EncodedImageSize(const std::vector<uint8_t>& encoded);
 
-// True if a JPEG holds an end marker after its first scan; a cut-off one would decode half grey.
-bool HasJpegEnd(const std::vector<uint8_t>& encoded);
-
-// Decodes untrusted JPEG or PNG bytes; markers and pixel count are checked first. EXIF orientation
-// is ignored: the calibration belongs to the sensor's rows and columns. Of 16 bits a channel the
-// eight topmost that are in use remain.
+// Decodes untrusted JPEG or PNG bytes; the pixel count is checked first, and a JPEG that lost some
+// of its data is refused (util/jpeg_check.h): it would decode half grey. EXIF orientation is
+// ignored: the calibration belongs to the sensor's rows and columns. Of 16 bits a channel the eight
+// topmost that are in use remain.
 DecodeResult DecodeImage(const std::vector<uint8_t>& encoded, int64_t max_pixels);
 
 }  // namespace rovio_sfm

@@ -21,6 +21,7 @@ namespace rovio_sfm {
 struct FrontendCounters {
   uint64_t images = 0;
   uint64_t refused = 0;      // broken bytes, wrong size, bad camera
+  uint64_t late = 0;         // not later than the drive's newest image, by at most a second
   uint64_t spoilt = 0;       // black or far too blurred
   uint64_t featureless = 0;  // too few features for a keyframe
   uint64_t untracked = 0;    // too few features followed for a light frame
@@ -30,9 +31,10 @@ struct FrontendCounters {
   uint64_t links = 0;
 };
 
-// From images to frame events (§3.3–3.6). The first image starts a drive; one whose stamp is not
-// later than the last or whose camera differs starts the next. Results depend on images, options
-// and seed alone. Not thread-safe; PrepareImage may run ahead on other threads.
+// From images to frame events (§3.3–3.6). The first image starts a drive; one whose stamp lies more
+// than a second before the newest, or of another camera, starts the next, which is logged. One that
+// is repeated, or less late, is dropped. Results depend on images, options and seed alone. Not
+// thread-safe; PrepareImage may run ahead on other threads.
 class Frontend {
  public:
   // Options must be valid. nonce tells drives apart that begin at the same stamp; each further
@@ -62,6 +64,7 @@ class Frontend {
     DriveId id;
     Camera camera;
     uint32_t next_index = 0;
+    int64_t newest_ns;  // stamp of its newest image
     KeyframeChooser chooser;
     LightTracks light;
     TrackBuilder tracks;
@@ -69,7 +72,9 @@ class Frontend {
   };
 
   std::optional<FrameEvent> Drop(uint64_t* counter, const std::string& reason);
-  void EnsureDrive(const ImageEvent& image);
+  // Whether the image comes in order; where a new drive begins with it, opens that.
+  bool EnsureDrive(const ImageEvent& image);
+  void StartDrive(const ImageEvent& image);
   FrameEvent StartEvent(const PreparedImage& image, FrameKind kind) const;
   std::optional<FrameEvent> AddKeyframe(const PreparedImage& image);
   std::optional<FrameEvent> AddLightFrame(const PreparedImage& image);
@@ -83,7 +88,6 @@ class Frontend {
   uint32_t nonce_;
   StageTimes* times_;
   std::optional<Drive> drive_;
-  int64_t last_stamp_ns_ = 0;
   FrontendCounters counters_;
   std::string last_refusal_;
 };

@@ -19,7 +19,8 @@ namespace rovio_sfm {
 
 // The image events of a drive in the order of the bag, as a frontend node would make them: with
 // odometry and the head's pose at each stamp. All else is read first, images one by one. Malformed
-// messages are left out and counted, edges of tf that belong to an earlier map are left out.
+// messages, and images whose stamp is zero, are left out and counted by reason; edges of tf that
+// belong to an earlier map are left out.
 class BagImages {
  public:
   // Throws std::runtime_error if the bag cannot be read or, without a camera, has no usable
@@ -30,6 +31,7 @@ class BagImages {
   size_t Count() const { return num_images_; }
   size_t NumRefused() const { return num_refused_; }
   size_t NumMapEdges() const { return num_map_edges_; }
+  const std::map<std::string, size_t>& Refusals() const { return refusals_; }
   std::optional<ImageEvent> Next();
   // Of the images so far: nothing where some came with odometry and the head's pose, else one
   // sentence that says what a metric map lacks.
@@ -43,6 +45,8 @@ class BagImages {
   const sensor_msgs::CameraInfo& CameraAt(const ros::Time& stamp) const;
   void ReadTransforms(const rosbag::MessageInstance& message);
   std::optional<ImageEvent> ReadImage(const rosbag::MessageInstance& message);
+  ros::Time StampOf(const rosbag::MessageInstance& message, const std_msgs::Header& header) const;
+  void CountRefusal(const std::string& reason);
 
   BagDrive drive_;
   rosbag::Bag bag_;
@@ -54,6 +58,7 @@ class BagImages {
   size_t num_images_ = 0;
   size_t num_read_ = 0;
   size_t num_refused_ = 0;
+  std::map<std::string, size_t> refusals_;  // by reason; the first kMaxReasons of them
   size_t num_map_edges_ = 0;
   std::string base_frame_;
   std::string camera_frame_;                   // of the newest image

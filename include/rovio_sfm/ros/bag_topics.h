@@ -8,12 +8,16 @@
 
 namespace rovio_sfm {
 
+// Which time a message counts as of: its header's, or when it was recorded.
+enum class StampSource { kHeader, kBag };
+
 // Where the images of a bag and what belongs to them are to be found; an empty name means: under
 // the names that this package uses.
 struct BagTopics {
   std::string image;        // with or without /compressed
   std::string camera_info;  // else beside the images
   std::string odom;         // else below the robot's name
+  StampSource stamps = StampSource::kHeader;
 };
 
 // The images of one robot in one bag.
@@ -23,6 +27,7 @@ struct BagDrive {
   std::string image_topic;  // compressed, where a bag has both
   std::string info_topic;
   std::string odom_topic;
+  StampSource stamps = StampSource::kHeader;
 };
 
 // Opens a bag for reading. Throws std::runtime_error that names the bag, and what mends one that

@@ -19,27 +19,31 @@ class DriverImagePublisher {
  public:
   DriverImagePublisher(const ros::NodeHandle& handle, const DriverOptions& options);
 
+  // An image from before there was a time (/use_sim_time without /clock) is counted and dropped.
   void Publish(const CameraImage& image);
 
   // Whether somebody wants images; any thread.
   bool HasListeners() const;
 
   uint64_t NumPublished() const { return num_published_; }
+  uint64_t NumWithoutTime() const { return num_without_time_; }
 
  private:
   void LoadCalibration(const std::string& url, const std::string& camera_name);
+  void DropWithoutTime();
   sensor_msgs::CameraInfo InfoFor(const CameraImage& image);
   void PublishDecoded(const CameraImage& image, const std_msgs::Header& header);
 
   ros::NodeHandle handle_;
   const std::string frame_id_;
-  const double latency_s_;
+  const int64_t latency_ns_;
   image_transport::ImageTransport transport_;
   camera_info_manager::CameraInfoManager info_manager_;
   ros::Publisher compressed_;
   ros::Publisher info_;
   image_transport::Publisher decoded_;
-  bool has_warned_of_size_ = false;
+  bool has_warned_of_size_ = false, has_warned_of_time_ = false;
+  std::atomic<uint64_t> num_without_time_{0};
   std::atomic<uint64_t> num_published_{0};
 };
 

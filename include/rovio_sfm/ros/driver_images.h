@@ -18,7 +18,8 @@ struct ImagesState {
   std::string reason;
   ImageFigures figures;  // since the last call of TakeState
   uint64_t num_published = 0;
-  uint64_t num_dropped = 0;  // nobody had time to publish them
+  uint64_t num_dropped = 0;       // nobody had time to publish them
+  uint64_t num_without_time = 0;  // no /clock
 };
 
 // The images of one robot: a reader on its own thread, a choice of images in stationary mode, and a
@@ -29,12 +30,14 @@ class DriverImages {
                const Credentials& credentials);
   ~DriverImages();
 
-  // Tells the stationary mode whether the robot moves, at this ROS time. Any thread.
+  // Tells the stationary mode whether the robot moves, at this steady time. Any thread.
   void NoteMotion(bool is_moving, int64_t now_ns) EXCLUDES(mutex_);
 
   // The camera has its settings; until then no image is taken, so that none has another size. Any
   // thread.
   void NoteSettings() EXCLUDES(mutex_);
+  // Call now and then: a robot that says nothing of its settings is taken as it is after a while.
+  void CheckSettings(int64_t now_ns) EXCLUDES(mutex_);
 
   ImagesState TakeState() EXCLUDES(mutex_);
   const ImageCounters& Counters() const { return reader_.Counters(); }
@@ -53,7 +56,8 @@ class DriverImages {
   const std::optional<CameraSettings> wanted_settings_;
   mutable Mutex mutex_;
   bool has_settings_ GUARDED_BY(mutex_);
-  int64_t settings_ns_ GUARDED_BY(mutex_) = INT64_MIN / 2;  // when NoteSettings came
+  int64_t settings_ns_ GUARDED_BY(mutex_) = INT64_MIN / 2;  // steady: when NoteSettings came
+  const int64_t start_ns_;                                  // steady
   StationaryTrigger trigger_ GUARDED_BY(mutex_);
   ImageStatistics statistics_ GUARDED_BY(mutex_);
   ImageLink link_ GUARDED_BY(mutex_) = ImageLink::kConnecting;

@@ -11,6 +11,7 @@
 
 #include "rovio_sfm/app/driver_options.h"
 #include "rovio_sfm/rovio/drive_loop.h"
+#include "rovio_sfm/rovio/foreign_hand.h"
 #include "rovio_sfm/util/mutex.h"
 
 namespace rovio_sfm {
@@ -26,11 +27,12 @@ struct RobotState {
   uint64_t num_commands = 0;
   uint64_t num_failed_commands = 0;
   std::string last_command_fault;  // empty: the last command succeeded
+  std::string foreign_hand;        // who else seems to use the robot; empty: nobody
 };
 
 // What the wheels' side tells the images' side, from its workers.
 struct MotionHooks {
-  std::function<void(bool is_moving, int64_t now_ns)> on_motion;  // for each reading; ROS time
+  std::function<void(bool is_moving, int64_t now_ns)> on_motion;  // for each reading; steady time
   std::function<void()> on_settings;  // once: the camera has its settings, or never will
 };
 
@@ -44,6 +46,10 @@ class DriverMotion {
 
   RobotState State() const EXCLUDES(mutex_);
 
+  // What this driver does to the robot by its services is no foreign hand.
+  void NoteOwnMotion() EXCLUDES(mutex_);
+  void NoteOwnSettings() EXCLUDES(mutex_);
+
   // Waits until a report comes that satisfies the condition; false after this many seconds.
   bool WaitForReport(double seconds, const std::function<bool(const RobotReport&)>& condition)
       EXCLUDES(mutex_);
@@ -54,9 +60,9 @@ class DriverMotion {
   RobotReporter::Callbacks MakeReporterCallbacks();
   void OnTwist(const geometry_msgs::Twist& twist);
   void OnCommand(const DriveCommand& command, const RobotOutcome& outcome) EXCLUDES(mutex_);
-  void OnMcu(const McuReport& mcu, int64_t stamp_ns) EXCLUDES(mutex_);
+  void OnMcu(const McuReport& mcu, const ReadingTime& time) EXCLUDES(mutex_);
   void OnLink(bool is_up, const std::string& reason) EXCLUDES(mutex_);
-  void PublishPose(const McuReport& mcu, const BaseMotion& motion, int64_t stamp_ns);
+  void PublishPose(const McuReport& mcu, const BaseMotion& motion, const ReadingTime& time);
   void StartTimers();
 
   ros::NodeHandle handle_;
@@ -68,8 +74,9 @@ class DriverMotion {
   mutable Mutex mutex_;
   std::condition_variable_any report_came_;
   RobotState state_ GUARDED_BY(mutex_);
+  ForeignHand foreign_hand_ GUARDED_BY(mutex_);
   OmniOdometry odometry_;    // of the report worker
-  int64_t last_mcu_ns_ = 0;  // of the report worker
+  int64_t last_mcu_ns_ = 0;  // steady; of the report worker
   bool is_odometry_begun_ = false;
   CurlTransport drive_transport_;
   CurlTransport report_transport_;

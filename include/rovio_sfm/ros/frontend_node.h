@@ -16,6 +16,7 @@
 #include "rovio_sfm/app/image_gate.h"
 #include "rovio_sfm/frontend/frontend.h"
 #include "rovio_sfm/ros/camera_subscribers.h"
+#include "rovio_sfm/ros/diagnostic_pace.h"
 #include "rovio_sfm/ros/event_history.h"
 #include "rovio_sfm/ros/frontend_thresholds.h"
 #include "rovio_sfm/ros/robot_sensors.h"
@@ -94,6 +95,7 @@ class FrontendNode {
   CameraSubscribers subscribers_;
   ros::ServiceServer get_frames_;
   diagnostic_updater::Updater diagnostics_;
+  DiagnosticPace pace_{&diagnostics_};
   boost::recursive_mutex thresholds_mutex_;  // of the server, which wants one
   dynamic_reconfigure::Server<FrontendThresholdsConfig> thresholds_;
   Worker<Job> worker_;  // last: its thread uses the others

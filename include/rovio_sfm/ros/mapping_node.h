@@ -25,6 +25,7 @@
 #include "rovio_sfm/app/gap_filler.h"
 #include "rovio_sfm/app/mapping_engine.h"
 #include "rovio_sfm/app/mapping_node_options.h"
+#include "rovio_sfm/ros/diagnostic_pace.h"
 #include "rovio_sfm/ros/event_history.h"
 #include "rovio_sfm/ros/frame_fetcher.h"
 #include "rovio_sfm/ros/frame_subscriber.h"
@@ -44,7 +45,7 @@ class MappingNode {
   // Maps what is queued (as long as drain_s allows), finishes all sessions and writes the map.
   ~MappingNode();
 
-  void Tick() { diagnostics_.update(); }
+  void Tick() { pace_.Tick(); }
 
  private:
   // What the worker has to do, by kind; WorkerLanes has the bounds.
@@ -104,6 +105,7 @@ class MappingNode {
   ros::AsyncSpinner service_spinner_;
   ros::WallTimer edge_timer_, map_timer_;
   diagnostic_updater::Updater diagnostics_;
+  DiagnosticPace pace_{&diagnostics_};
   JobWorker worker_;                  // its thread uses the others
   FrameSubscriber frame_subscriber_;  // pushes to the worker
   ros::Subscriber match_subscriber_;  // likewise

@@ -19,6 +19,7 @@
 
 #include "rovio_sfm/app/place_recognition_node_options.h"
 #include "rovio_sfm/recognition/place_recognizer.h"
+#include "rovio_sfm/ros/diagnostic_pace.h"
 #include "rovio_sfm/ros/fetch_frames.h"
 #include "rovio_sfm/ros/frame_subscriber.h"
 #include "rovio_sfm/ros/job_worker.h"
@@ -36,7 +37,7 @@ class PlaceRecognitionNode {
                        ros::NodeHandle private_node);
   ~PlaceRecognitionNode();
 
-  void Tick() { diagnostics_.update(); }
+  void Tick() { pace_.Tick(); }
 
  private:
   // What the worker has to do, by kind; WorkerLanes has the bounds.
@@ -51,6 +52,8 @@ class PlaceRecognitionNode {
   // mapping may be slower to connect than the first matches are found. It ignores what it knows.
   void TellAgain(const ros::SingleSubscriberPublisher& subscriber) EXCLUDES(mutex_);
   PlaceStatus LastStatus() const EXCLUDES(mutex_);
+
+  void OnFrame(const FrameEventMsg& message, FrameEvent event);
 
   // All below run on the worker.
   void FetchKnownDrives();
@@ -80,6 +83,7 @@ class PlaceRecognitionNode {
   std::vector<ros::ServiceServer> services_;
   ros::AsyncSpinner service_spinner_;
   diagnostic_updater::Updater diagnostics_;
+  DiagnosticPace pace_{&diagnostics_};
   JobWorker worker_;            // its thread uses the others
   FrameSubscriber subscriber_;  // pushes to the worker
 };

@@ -51,7 +51,13 @@ class DriveScheduler {
  public:
   explicit DriveScheduler(const DriveOptions& options) : options_(options) {}
 
+  // A motion that may have waited while this process slept (suspended, stopped) is not taken; a
+  // stop always is.
   void SetWish(const BaseVelocity& velocity, int64_t now_ns);
+
+  // Tells that the process runs; call often. After a silence longer than a command may be old it
+  // was asleep: what is heard within a moment was said before.
+  void NoteAwake(int64_t now_ns);
 
   // The command to send now, if any. A stop is given until MarkSent confirms it.
   std::optional<DriveCommand> Next(int64_t now_ns);
@@ -66,6 +72,8 @@ class DriveScheduler {
   const DriveOptions options_;
   DriveCommand wish_;
   int64_t wish_ns_ = 0;
+  std::optional<int64_t> awake_ns_;
+  int64_t deaf_until_ns_ = INT64_MIN;
   int64_t last_sent_ns_ = INT64_MIN / 2;
   DriveCommand last_sent_;
   bool is_moving_ = false;  // a motion was sent since the last stop that arrived

@@ -11,7 +11,8 @@
 namespace rovio_sfm {
 
 // Drives the robot as long as somebody wishes it to move, on a worker of its own, so that nothing
-// else can hold up a stop. A timer calls Tick often (every 25 ms); times in ns, never falling.
+// else can hold up a stop. A timer calls Tick often (every 25 ms); times in ns, never falling, of a
+// clock that goes on while the machine is suspended.
 // Thread-safe. Borrows the transport, which only this object may use. Shutdown stops the robot.
 class DriveLoop {
  public:
@@ -22,7 +23,7 @@ class DriveLoop {
   ~DriveLoop() { Shutdown(); }
 
   void SetWish(const BaseVelocity& velocity, int64_t now_ns) EXCLUDES(mutex_);
-  void Tick(int64_t now_ns) { worker_.Push(now_ns); }
+  void Tick(int64_t now_ns) EXCLUDES(mutex_);
 
   bool IsMoving() const EXCLUDES(mutex_);
 

@@ -41,10 +41,11 @@ struct ImageReaderOptions {
   }
 };
 
-// A whole image as the robot encoded it. The stamp is that of its first byte.
+// A whole image as the robot encoded it.
 struct CameraImage {
-  int64_t stamp_ns = 0;
-  int64_t complete_ns = 0;  // when its last byte was here
+  int64_t stamp_ns = 0;  // of its first byte, by the clock of stamps; rises but where that jumps
+  int64_t first_byte_ns = 0;  // the same, steady
+  int64_t complete_ns = 0;    // when its last byte was here, steady
   int width_px = 0;
   int height_px = 0;
   std::string jpeg;
@@ -73,7 +74,8 @@ class ImageReader {
     std::function<void(CameraImage)> on_image;
     // At each change of the link, with the reason.
     std::function<void(ImageLink, const std::string& reason)> on_link;
-    std::function<int64_t()> now_ns;
+    std::function<int64_t()> now_ns;           // of stamps; may jump
+    std::function<int64_t()> steady_ns;        // of everything else
     std::function<bool(double seconds)> wait;  // false: stop. Default of the gate when empty
   };
 
@@ -89,7 +91,8 @@ class ImageReader {
   // One attempt: an empty reason means that it ended for no fault of the robot's.
   std::string ReadStream();
   std::string ReadStills();
-  void TakeImage(CameraImage image, ImageLink link);
+  void TakeImage(std::string jpeg, int64_t first_byte_ns, ImageLink link);
+  int64_t StampOf(int64_t first_byte_ns) const;
   void CountFault(HttpFault fault);
   void SetLink(ImageLink link, const std::string& reason);
   bool UsesStream() const;
@@ -108,9 +111,9 @@ class ImageReader {
   uint64_t num_images_before_ = 0;  // when the present attempt began
   bool is_stream_suspect_ = false;  // gave no image, where stills might
   int num_stream_failures_ = 0;
-  int64_t stills_until_ns_ = INT64_MIN;
+  int64_t stills_until_ns_ = INT64_MIN;  // steady
   int64_t last_stamp_ns_ = INT64_MIN;
-  int64_t last_image_ns_ = 0;  // when the newest image was here, or the stream began
+  int64_t last_image_ns_ = 0;  // steady: when the newest image was here, or the stream began
 };
 
 }  // namespace rovio_sfm

@@ -17,7 +17,7 @@ struct ImageFigures {
 class ImageStatistics {
  public:
   // Stamp of the first byte and time of the last.
-  void Add(int64_t stamp_ns, int64_t complete_ns);
+  void Add(int64_t first_byte_ns, int64_t complete_ns);
 
   // The figures since the last call; begins anew.
   ImageFigures Take();

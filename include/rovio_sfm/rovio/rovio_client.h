@@ -56,9 +56,9 @@ class RovioClient {
   RobotReply<McuReport> GetMcuReport();  // clears the ticks
   RobotReply<StillImage> GetStill(size_t max_bytes);
 
-  // Sends the settings that differ from the present ones. The robot answers before it has done so
-  // and hides refusals: read the report back, later.
-  RobotOutcome RequestSettings(const CameraSettings& wanted, const CameraSettings& present);
+  // Sends the wanted settings that differ from the present ones or are not known. The robot answers
+  // before it has done so and hides refusals: read the report back, later.
+  RobotOutcome RequestSettings(const SomeSettings& wanted, const SomeSettings& present);
 
  private:
   RobotOutcome SendNav(const std::string& target);

@@ -26,19 +26,33 @@ struct CameraSettings {
   }
 };
 
-// What GetReport says, as far as a driver can use it.
+// Settings of which some may not be known, or not be wished for.
+struct SomeSettings {
+  SomeSettings() = default;
+  explicit SomeSettings(const CameraSettings& all)
+      : resolution(all.resolution),
+        compression(all.compression),
+        frame_rate(all.frame_rate),
+        brightness(all.brightness) {}
+
+  std::optional<int> resolution, compression, frame_rate, brightness;
+};
+
+// What GetReport says, as far as a driver can use it. Each field stands for itself: one that is
+// missing or odd is not known, and named in `odd_fields`.
 struct RobotReport {
-  int state = 0;            // 0 idle, 1 driving home, 2 docking, 3 path, 4 recording
-  int signal_strength = 0;  // NorthStar, 0 … 65535
-  bool home_saved = false;
-  bool obstacle = false;
-  bool infrared_on = false;
-  bool is_login_required = false;
-  int wifi_strength = 0;  // 0 … 254
-  int battery = 0;        // 106 … 127 normal, below 100 it switches off
-  int charging = 0;       // 0 off the dock, 64 docked, 72 full, 80 charging
-  int head_position = 0;  // about 204 down, 135 middle, 65 up
-  CameraSettings camera;
+  std::optional<int> state;            // 0 idle, 1 driving home, 2 docking, 3 path, 4 recording
+  std::optional<int> signal_strength;  // NorthStar, 0 … 65535
+  std::optional<bool> home_saved;
+  std::optional<bool> obstacle;
+  std::optional<bool> infrared_on;
+  std::optional<bool> is_login_required;
+  std::optional<int> wifi_strength;  // 0 … 254
+  std::optional<int> battery;        // 106 … 127 normal, below 100 it switches off
+  std::optional<int> charging;       // 0 off the dock, 64 docked, 72 full, 80 charging
+  std::optional<int> head_position;  // about 204 down, 135 middle, 65 up
+  SomeSettings camera;
+  std::string odd_fields;  // "battery is missing, …"; empty: all are known
 };
 
 // One wheel since the last reading, which clears it. The ticks of a reversal are summed unsigned.
@@ -85,7 +99,7 @@ const char* DescribeNavCode(int code);
 // The code of a nav reply; nothing when the body is no nav reply.
 std::optional<int> ParseNavCode(std::string_view body);
 
-// The report; nothing, with the reason, when a field is missing or out of its range.
+// The report; nothing, with the reason, when the body is no such reply or refuses.
 std::optional<RobotReport> ParseReport(std::string_view body, std::string* error);
 std::optional<McuReport> ParseMcuReport(std::string_view body, std::string* error);
 

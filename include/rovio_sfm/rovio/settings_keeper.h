@@ -10,7 +10,8 @@ namespace rovio_sfm {
 
 // Brings the camera to the wished settings once, and finds out whether the robot obeyed: it answers
 // before it acts and hides refusals, and every change wears out its flash. So: one request, then
-// reports are compared until they agree or the patience ends. Times in ns. Not thread-safe.
+// reports are compared until they agree or the patience ends. What the robot does not report is
+// asked for, and taken as granted. Times in ns. Not thread-safe.
 class SettingsKeeper {
  public:
   enum class Step { kNothing, kRequest, kAgreed, kRefused };
@@ -18,11 +19,13 @@ class SettingsKeeper {
   explicit SettingsKeeper(const std::optional<CameraSettings>& wanted) : wanted_(wanted) {}
 
   // What to do now that the robot reports these settings. kAgreed and kRefused come once.
-  Step Next(const CameraSettings& present, int64_t now_ns);
+  Step Next(const SomeSettings& present, int64_t now_ns);
 
   // After kRequest; has_arrived is false when it could not be sent: the next report asks again.
   void MarkRequested(bool has_arrived, int64_t now_ns);
 
+  // Neither agreed nor refused yet: what changes is our own doing.
+  bool IsSettling() const { return wanted_ && !is_done_; }
   const CameraSettings& Wanted() const { return *wanted_; }
 
  private:
@@ -31,9 +34,10 @@ class SettingsKeeper {
   bool is_done_ = false;
 };
 
-// "resolution 3, compression 2, …".
-std::string Describe(const CameraSettings& settings);
+// "resolution 3, compression 2, …"; "?" for what is not known.
+std::string Describe(const SomeSettings& settings);
 
-bool operator==(const CameraSettings& a, const CameraSettings& b);
+// True if no setting is known of both and differs.
+bool AreAgreed(const SomeSettings& a, const SomeSettings& b);
 
 }  // namespace rovio_sfm

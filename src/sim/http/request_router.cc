@@ -79,6 +79,21 @@ RoutedReply RunCommands(const std::vector<PendingCommand>& commands, bool is_bun
   return routed;
 }
 
+// What a browser sees first; the robot's own pages are far richer.
+HttpResponse StartPage() {
+  HttpResponse response;
+  response.content_type = "text/html";
+  response.body =
+      "<HTML><HEAD><TITLE>Rovio</TITLE></HEAD>\n<BODY><H1>Rovio (simulated)</H1>\n"
+      "<IMG SRC=\"/GetData.cgi\" ALT=\"what the camera sees\">\n"
+      "<P><A HREF=\"/rev.cgi?Cmd=nav&amp;action=1\">report</A>\n"
+      "<A HREF=\"/Jpeg/CamImg0.jpg\">picture</A>\n"
+      "<A HREF=\"/GetVer.cgi\">version</A></P>\n</BODY></HTML>\n";
+  return response;
+}
+
+bool IsStartPath(const std::string& path) { return path == "/" || path == "/index.html"; }
+
 }  // namespace
 
 bool IsStillPath(const std::string& path) {
@@ -96,6 +111,10 @@ std::optional<HttpResponse> RefuseBelow(Privilege required, const Caller& caller
 
 RoutedReply AnswerRequest(const HttpRequest& request, const Caller& caller,
                           ServerContext& context) {
+  if (IsStartPath(request.path) && request.method == "GET") {
+    if (auto refusal = RefuseBelow(Privilege::kUser, caller)) return {*refusal, std::nullopt};
+    return {StartPage(), std::nullopt};
+  }
   const bool is_bundle = request.path == "/rev.cgi" || request.path == "/Cmd.cgi";
   const bool is_command = is_bundle || FindCommand(request.path.substr(1)) != nullptr;
   if (!is_command || (request.method != "GET" && request.method != "POST")) {

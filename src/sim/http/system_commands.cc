@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
 
 #include "rovio_sfm/sim/http/command.h"
 #include "rovio_sfm/sim/http/mcu_report.h"
@@ -62,6 +65,40 @@ void RunMcuPacket(const CommandCall& call, CommandReply* reply) {
   reply->fields.Add("responses", FormatMcuReport(reading));
 }
 
+// One byte in hex with or without 0x, or decimal; nothing for anything else.
+std::optional<uint8_t> ByteOf(const std::string& text) {
+  const bool is_plain = !text.empty() && text.size() <= 4 &&
+                        std::all_of(text.begin(), text.end(),
+                                    [](unsigned char c) { return std::isxdigit(c) || c == 'x'; });
+  if (!is_plain) return std::nullopt;
+  char* end = nullptr;
+  const unsigned long value = std::strtoul(text.c_str(), &end, 0);
+  if (*end != '\0' || value > 0xff) return std::nullopt;
+  return static_cast<uint8_t>(value);
+}
+
+std::string RegisterText(uint8_t address, uint8_t value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%08x=%08x", address, value);
+  return text;
+}
+
+// The image sensor's registers (rovio-http.md, section 3); of the other actions nothing is known.
+void RunDebug(const CommandCall& call, CommandReply* reply) {
+  const std::string action = call.parameters.Get("action");
+  const auto address = ByteOf(call.parameters.Get("address"));
+  const auto value = ByteOf(call.parameters.Get("value"));
+  const bool writes = action == "write_i2c";
+  if (action != "read_i2c" && !writes) return reply->fields.Add("error", "action");
+  if (!address) return reply->fields.Add("error", "address");
+  if (writes && !value) return reply->fields.Add("error", "value");
+  call.context.settings.With([&](RobotSettings& settings) {
+    uint8_t& cell = settings.sensor_registers[*address];
+    if (writes) cell = *value;
+    reply->fields.Add(action, RegisterText(*address, cell));
+  });
+}
+
 }  // namespace
 
 std::vector<Command> SystemCommands() {
@@ -72,6 +109,7 @@ std::vector<Command> SystemCommands() {
           {"GetTime.cgi", NeedsUser, GetTime},
           {"Reboot.cgi", NeedsAdmin, Reboot},
           {"SetFactoryDefault.cgi", NeedsAdmin, SetFactoryDefault},
+          {"debug.cgi", NeedsAdmin, RunDebug},
           {"mcu", NeedsUser, RunMcuPacket}};
 }
 

@@ -15,7 +15,16 @@ constexpr float kBodyRadius_m = 0.16f, kBodyHeight_m = 0.06f;
 constexpr float kInfraredReach_m = 0.5f;
 constexpr double kNorthStarUnitsPerMeter = 4500.0;
 constexpr int64_t kBatteryStep_ns = 60'000'000'000;
-constexpr int kJpegQualities[] = {60, 70, 80};  // of compression ratio 0 … 2
+constexpr int kJpegQualities[] = {60, 70, 80};  // of compression ratio 0 … 2, at most
+// Of a VGA picture, by ratio: clients take 10 to 50 kB as usual and drop larger ones as broken.
+constexpr double kVgaBytes[] = {20'000.0, 35'000.0, 50'000.0};
+constexpr double kVgaPixels = 640.0 * 480.0;
+constexpr double kLeastBytes = 4096.0;  // below 3.5 kB clients drop a picture too
+
+size_t MaxBytesOf(const cv::Mat& picture, int ratio) {
+  const double share = static_cast<double>(picture.total()) / kVgaPixels;
+  return static_cast<size_t>(std::max(kVgaBytes[ratio] * share, kLeastBytes));
+}
 
 // Rays around the body find what it would run into.
 OmniDrive::IsFree FreeSpaceOf(const World& world) {
@@ -234,7 +243,9 @@ std::optional<CapturedImage> SimulatedRobot::Capture(int64_t time_ns,
   const uint64_t seed = options_.seed * 0x9e3779b97f4a7c15ULL ^ static_cast<uint64_t>(time_ns);
   const cv::Mat& light = LightOf(motion, settings.resolution);
   DevelopOptions develop = options_.develop;
-  develop.jpeg_quality = kJpegQualities[std::clamp(settings.compression_ratio, 0, 2)];
+  const int ratio = std::clamp(settings.compression_ratio, 0, 2);
+  develop.jpeg_quality = kJpegQualities[ratio];
+  develop.max_bytes = std::min(develop.max_bytes, MaxBytesOf(light, ratio));
   const double exposure = ExposureAt(time_ns, settings.brightness);
   return CapturedImage{time_ns, EncodeJpeg(DevelopImage(light, exposure, develop, seed), develop)};
 }

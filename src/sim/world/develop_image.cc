@@ -13,6 +13,7 @@ namespace rovio_sfm::sim {
 namespace {
 
 constexpr int kCurveSteps = 4096;
+constexpr int kLeastQuality = 10, kQualityStep = 5;
 
 // Grey levels of linear light 0 … 1.
 std::array<float, kCurveSteps + 1> MakeSrgbCurve() {
@@ -85,12 +86,24 @@ cv::Mat DevelopImage(const cv::Mat& linear_rgb, double exposure, const DevelopOp
 }
 
 std::vector<uint8_t> EncodeJpeg(const cv::Mat& bgr, const DevelopOptions& options) {
-  std::vector<uint8_t> bytes;
-  for (int quality = options.jpeg_quality; quality >= 10; quality -= 5) {
+  const auto encode = [&](int steps) {
+    std::vector<uint8_t> bytes;
+    const int quality = options.jpeg_quality - kQualityStep * steps;
     ROVIO_CHECK(cv::imencode(".jpg", bgr, bytes, {cv::IMWRITE_JPEG_QUALITY, quality}));
-    if (bytes.size() <= options.max_bytes) break;
+    return bytes;
+  };
+  std::vector<uint8_t> best = encode(0);
+  if (best.size() <= options.max_bytes) return best;
+  int too_fine = 0, coarse = (options.jpeg_quality - kLeastQuality) / kQualityStep;
+  best = encode(coarse);
+  while (coarse - too_fine > 1) {  // sizes fall with the quality
+    const int middle = (too_fine + coarse) / 2;
+    std::vector<uint8_t> bytes = encode(middle);
+    const bool fits = bytes.size() <= options.max_bytes;
+    (fits ? coarse : too_fine) = middle;
+    if (fits) best = std::move(bytes);
   }
-  return bytes;
+  return best;
 }
 
 }  // namespace rovio_sfm::sim

@@ -40,6 +40,14 @@ TEST(AnswerRequest, HighestLevelOfABundleCounts) {
             "WWW-Authenticate: Basic realm=\"Rovio\"\r\n");
 }
 
+TEST(AnswerRequest, ShowsABrowserAPage) {
+  FaceFixture face;
+  const RoutedReply routed = face.Route("/");
+  EXPECT_EQ(routed.response.status, 200);
+  EXPECT_EQ(routed.response.content_type, "text/html");
+  EXPECT_NE(routed.response.body.find("/GetData.cgi"), std::string::npos);
+}
+
 TEST(AnswerRequest, OptionsApplyToTheWholeReply) {
   FaceFixture face;
   EXPECT_EQ(face.Ask("/rev.cgi?Cmd=nav&action=22&JsVar=x"),

@@ -42,5 +42,18 @@ TEST(SystemCommands, RawMcuPacketsAreCheckedAndAnswered) {
   }
 }
 
+TEST(SystemCommands, DebugReadsAndWritesTheSensorsRegisters) {
+  FaceFixture face;
+  EXPECT_EQ(face.Ask("/debug.cgi?action=read_i2c&address=0x13"), "read_i2c = 00000013=000000f4\n");
+  EXPECT_EQ(face.Ask("/debug.cgi?action=write_i2c&address=0x3b&value=0x0a"),
+            "write_i2c = 0000003b=0000000a\n");
+  EXPECT_EQ(face.Ask("/debug.cgi?action=read_i2c&address=0x3b"), "read_i2c = 0000003b=0000000a\n");
+  EXPECT_EQ(face.Ask("/debug.cgi?action=read_i2c&address=0x100"), "error = address\n");
+  EXPECT_EQ(face.Ask("/debug.cgi?action=write_i2c&address=0x13"), "error = value\n");
+  EXPECT_EQ(face.Ask("/debug.cgi?action=melt"), "error = action\n");
+  face.caller.privilege = Privilege::kUser;
+  EXPECT_EQ(face.Status("/debug.cgi?action=read_i2c&address=0x13"), 401);
+}
+
 }  // namespace
 }  // namespace rovio_sfm::sim

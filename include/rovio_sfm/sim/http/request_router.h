@@ -15,8 +15,8 @@ struct RoutedReply {
   std::optional<std::chrono::nanoseconds> away;  // the robot reboots once the connection is over
 };
 
-// Answers every request but stills and streams: /rev.cgi and /Cmd.cgi with any number of commands,
-// each command by its own path, else 404.
+// Answers every request but stills and streams: / with a page, /rev.cgi and /Cmd.cgi with any
+// number of commands, each command by its own path, else 404.
 RoutedReply AnswerRequest(const HttpRequest& request, const Caller& caller, ServerContext& context);
 
 // Nothing when the caller may; else the 401 that names the realm of the missing level.

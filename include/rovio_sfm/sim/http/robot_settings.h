@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
+
 #include "rovio_sfm/sim/robot/robot_backend.h"
 
 namespace rovio_sfm::sim {
@@ -16,6 +19,9 @@ struct RobotSettings {
   long mic_volume = 15;
   long mains_frequency_hz = 50;  // 0 unknown, 50, 60
   CameraSettings applied;
+  // Of the image sensor, by address, as debug.cgi reads and writes them; without effect here.
+  std::map<uint8_t, uint8_t> sensor_registers = {
+      {0x13, 0xf4}, {0x14, 0x4a}, {0x55, 0x00}, {0x56, 0x40}};
 
   // Each stores the value and applies it as far as the camera takes it.
   void SetResolution(long value);

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <string>
+#include <vector>
+
+namespace rovio_sfm {
+
+// Throws std::runtime_error that names topic and node if a living node other than this one
+// publishes one of the topics, which are resolved against the handle.
+void RequireSolePublisher(const ros::NodeHandle& handle, const std::vector<std::string>& topics);
+
+}  // namespace rovio_sfm
