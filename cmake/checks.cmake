@@ -31,7 +31,7 @@ file(GLOB BENCHMARKS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/benchmark/*_be
 rovio_test_program(benchmarks SOURCES ${BENCHMARKS}
                    LINKS rovio_app rovio_synthetic benchmark::benchmark_main)
 # What a benchmark of one function cannot show: costs as a drive, or the number of drives, grows.
-foreach(PROGRAM picture_cost many_merges)
+foreach(PROGRAM picture_cost many_merges long_drive)
   rovio_test_program(${PROGRAM} SOURCES ${PROJECT_SOURCE_DIR}/test/benchmark/${PROGRAM}.cc
                      LINKS rovio_app rovio_synthetic)
 endforeach()

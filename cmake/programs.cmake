@@ -15,6 +15,7 @@ rovio_program(rovio_sim LINKS rovio_sim)
 rovio_program(calibrate_camera LINKS rovio_tools)
 rovio_program(measure_noise LINKS rovio_tools)
 rovio_program(map_images LINKS rovio_tools)
+rovio_program(map_tool LINKS rovio_tools)
 rovio_program(train_places LINKS rovio_tools)
 
 # What scripts/demo needs, and no more.

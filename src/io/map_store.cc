@@ -7,12 +7,21 @@ namespace rovio_sfm {
 MapStore::MapStore(const std::filesystem::path& path, StoreAccess access,
                    const MapStoreOptions& options)
     : options_(options),
-      database_(path, access),
+      database_(path, access, options.vfs),
       frames_((OpenSchema(access, &database_), &database_)),
       sessions_(&database_, &frames_),
       merges_(&database_, &frames_),
-      cache_(options.max_cache_bytes,
-             [this](const FrameId& id) { return frames_.ReadFeatures(id); }) {}
+      cache_(options.max_cache_bytes, [this](const FrameId& id) { return Fetch(id); }) {}
+
+// A frame that cannot be read is one that is not there: mapping goes on without it.
+std::shared_ptr<const FrameFeatures> MapStore::Fetch(const FrameId& id) const {
+  try {
+    return frames_.ReadFeatures(id);
+  } catch (const StoreError& error) {
+    read_error_ = error.what();
+    return nullptr;
+  }
+}
 
 void MapStore::BeginChanges() {
   if (!database_.IsInTransaction()) database_.Execute("BEGIN IMMEDIATE");
@@ -60,13 +69,9 @@ std::shared_ptr<const FrameFeatures> MapStore::Get(const FrameId& id) const {
 }
 
 MapRecord MapStore::Read(const FrameMaker& make) {
-  try {
-    return {frames_.ReadDrives(), sessions_.Read(make), merges_.Read()};
-  } catch (const StoreError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw StoreError(file() + ": " + error.what());
-  }
+  return WithFileNamed(file(), [&] {
+    return MapRecord{frames_.ReadDrives(), sessions_.Read(make), merges_.Read()};
+  });
 }
 
 void MapStore::CopyTo(const std::filesystem::path& path) const {

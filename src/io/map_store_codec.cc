@@ -149,6 +149,7 @@ DriveState ReadDriveState(const Blob& bytes) {
   const auto has_next = reader.ReadBetween<uint8_t>("has_next_index", 0, 1);
   const auto next = reader.Read<uint32_t>("next_index");
   if (has_next == 1) state.next_index = next;
+  if (has_next == 0 && next != 0) reader.Fail("next_index: expected 0 where there is none");
   for (auto* indices : {&state.held, &state.unposed}) {
     *indices = reader.ReadAll<uint32_t>("held, unposed", ReadCount("held, unposed", &reader));
   }
@@ -188,8 +189,11 @@ std::string LandmarkBytes(const std::map<TrackId, Landmark>& landmarks, TrackId 
 
 void ReadLandmarks(const Blob& bytes, std::map<TrackId, Landmark>* landmarks) {
   FieldReader reader = ReaderOf(bytes, "landmarks");
+  TrackId last = 0;
   while (reader.Left() > 0) {
     const auto id = reader.Read<TrackId>("id");
+    if (id <= last) reader.Fail("id = " + std::to_string(id) + ": expected ascending ids");
+    last = id;
     Landmark landmark;
     landmark.position = ReadVector<3>("position", &reader);
     for (uint8_t& value : landmark.color) value = reader.Read<uint8_t>("color");

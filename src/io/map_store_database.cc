@@ -48,7 +48,8 @@ double Rows::Double(int column) const { return sqlite3_column_double(statement_,
 
 std::string Rows::Text(int column) const {
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
-  return text == nullptr ? "" : text;
+  if (text == nullptr) return "";
+  return {text, static_cast<size_t>(sqlite3_column_bytes(statement_, column))};
 }
 
 Blob Rows::Bytes(int column) const {
@@ -56,10 +57,12 @@ Blob Rows::Bytes(int column) const {
   return {data, static_cast<size_t>(sqlite3_column_bytes(statement_, column))};
 }
 
-StoreDatabase::StoreDatabase(const std::filesystem::path& path, StoreAccess access)
+StoreDatabase::StoreDatabase(const std::filesystem::path& path, StoreAccess access,
+                             const std::string& vfs)
     : file_(path.string()) {
   const int flags = FlagsOf(access) | SQLITE_OPEN_NOMUTEX;
-  if (sqlite3_open_v2(path.c_str(), &database_, flags, nullptr) == SQLITE_OK) {
+  const char* const name = vfs.empty() ? nullptr : vfs.c_str();
+  if (sqlite3_open_v2(path.c_str(), &database_, flags, name) == SQLITE_OK) {
     sqlite3_busy_timeout(database_, kBusyTimeoutMs);
     return;
   }

@@ -17,6 +17,20 @@ Camera ReadCamera(const Rows& rows, int column) {
   return camera;
 }
 
+void RequireCount(const char* column, size_t count, size_t expected) {
+  if (count == expected) return;
+  throw StoreError(std::string(column) + ": " + std::to_string(count) + " values, expected " +
+                   std::to_string(expected) + ", as many as keypoints ask for");
+}
+
+void RequireFeatures(const std::vector<FeatureMatch>& inliers, size_t num_features) {
+  for (const FeatureMatch& inlier : inliers) {
+    if (inlier.b < num_features) continue;
+    throw StoreError("inliers: feature = " + std::to_string(inlier.b) + ": expected less than " +
+                     std::to_string(num_features));
+  }
+}
+
 }  // namespace
 
 StoredFrames::StoredFrames(StoreDatabase* database) : database_(database) {
@@ -152,10 +166,15 @@ std::vector<uint32_t> StoredFrames::ReadIndices(const DriveId& drive, uint32_t f
 std::optional<FrameEvent> StoredFrames::ReadEvent(const FrameId& id, EventParts parts) const {
   const std::optional<int64_t> row = RowOfFrame(id);
   if (!row) return std::nullopt;
+  return WithFileNamed(database_->file(), [&] { return ReadRow(id, *row, parts); });
+}
+
+std::optional<FrameEvent> StoredFrames::ReadRow(const FrameId& id, int64_t row,
+                                                EventParts parts) const {
   Rows rows = database_->Query(
       "SELECT is_light, stamp_ns, image_name, camera_frame, blur, odometry, base_from_camera, "
       "tracks, keypoints FROM frame WHERE id = ?",
-      *row);
+      row);
   if (!rows.Next()) return std::nullopt;
   FrameEvent event;
   event.id = id;
@@ -169,23 +188,26 @@ std::optional<FrameEvent> StoredFrames::ReadEvent(const FrameId& id, EventParts 
   if (!rows.IsNull(6)) event.base_from_camera = ReadPose(rows.Bytes(6));
   event.tracks = ReadTracks(rows.Bytes(7));
   auto features = std::make_shared<FrameFeatures>(ReadKeypoints(rows.Bytes(8)));
-  if (parts == EventParts::kAll) ReadDescriptors(*row, &features->descriptors);
+  RequireCount("tracks", event.tracks.size(), features->keypoints.size());
+  if (parts == EventParts::kAll) ReadDescriptors(row, features.get());
   event.features = std::move(features);
   if (parts == EventParts::kBare) return event;
-  event.pairs = ReadPairs(*row);
-  event.links = ReadLinks(*row);
+  event.pairs = ReadPairs(row, event.tracks.size());
+  event.links = ReadLinks(row);
   event.jpeg = ReadImage(id);
   return event;
 }
 
-void StoredFrames::ReadDescriptors(int64_t row, Descriptors* descriptors) const {
+void StoredFrames::ReadDescriptors(int64_t row, FrameFeatures* features) const {
   Rows rows =
       database_->Query("SELECT type, metric, length, data FROM descriptors WHERE frame = ?", row);
   if (!rows.Next()) return;
+  Descriptors* const descriptors = &features->descriptors;
   descriptors->type = ReadEnum(rows, 0, DescriptorType::kSurf, "descriptors.type");
   descriptors->metric = ReadEnum(rows, 1, DescriptorMetric::kHamming, "descriptors.metric");
   descriptors->length = static_cast<uint32_t>(rows.Int(2));
   const Blob data = rows.Bytes(3);
+  RequireCount("descriptors", data.size, features->keypoints.size() * descriptors->length);
   const auto* bytes = static_cast<const uint8_t*>(data.data);
   descriptors->data.assign(bytes, bytes + data.size);
 }
@@ -193,11 +215,15 @@ void StoredFrames::ReadDescriptors(int64_t row, Descriptors* descriptors) const 
 std::shared_ptr<const FrameFeatures> StoredFrames::ReadFeatures(const FrameId& id) const {
   const std::optional<int64_t> row = RowOfFrame(id);
   if (!row) return nullptr;
-  Rows rows = database_->Query("SELECT keypoints FROM frame WHERE id = ? AND is_light = 0", *row);
-  if (!rows.Next()) return nullptr;
-  auto features = std::make_shared<FrameFeatures>(ReadKeypoints(rows.Bytes(0)));
-  ReadDescriptors(*row, &features->descriptors);
-  return features;
+  return WithFileNamed(database_->file(), [&] {
+    std::shared_ptr<FrameFeatures> features;
+    Rows rows = database_->Query("SELECT keypoints FROM frame WHERE id = ? AND is_light = 0", *row);
+    if (rows.Next()) {
+      features = std::make_shared<FrameFeatures>(ReadKeypoints(rows.Bytes(0)));
+      ReadDescriptors(*row, features.get());
+    }
+    return std::shared_ptr<const FrameFeatures>(std::move(features));
+  });
 }
 
 std::shared_ptr<const std::vector<uint8_t>> StoredFrames::ReadImage(const FrameId& id) const {
@@ -210,7 +236,7 @@ std::shared_ptr<const std::vector<uint8_t>> StoredFrames::ReadImage(const FrameI
   return std::make_shared<const std::vector<uint8_t>>(bytes, bytes + data.size);
 }
 
-std::vector<PairMatches> StoredFrames::ReadPairs(int64_t row) const {
+std::vector<PairMatches> StoredFrames::ReadPairs(int64_t row, size_t num_features) const {
   std::vector<PairMatches> pairs;
   Rows rows = database_->Query(
       "SELECT other_number, num_features, num_ratio, num_percentile, num_one_to_one, num_ransac, "
@@ -228,6 +254,7 @@ std::vector<PairMatches> StoredFrames::ReadPairs(int64_t row) const {
     pair.median_parallax_rad = rows.Double(8);
     pair.cam_from_other = ReadPose(rows.Bytes(9));
     pair.inliers = ReadInliers(rows.Bytes(10));
+    RequireFeatures(pair.inliers, num_features);
     pairs.push_back(std::move(pair));
   }
   return pairs;

@@ -25,8 +25,15 @@ void ReadList(const char* field, FieldReader* reader, const ReadEntry& read) {
 
 void WriteBytes(const std::string& bytes, FieldWriter* writer) { writer->WriteText(bytes); }
 
-std::string ReadBytes(const char* field, FieldReader* reader) {
-  return reader->ReadText(field, kMaxCount);
+// The bytes of another column, here as a field.
+template <typename ReadColumn>
+auto ReadBytes(const char* field, FieldReader* reader, const ReadColumn& read) {
+  const std::string bytes = reader->ReadText(field, kMaxCount);
+  try {
+    return read(BlobOf(bytes));
+  } catch (const std::runtime_error& error) {
+    reader->Fail(error.what());
+  }
 }
 
 void WriteStamps(const EpochStamps& stamps, FieldWriter* writer) {
@@ -52,7 +59,11 @@ Keyframe ReadKeyframe(Keyframe frame, FieldReader* reader) {
   frame.weak = reader->ReadBetween<uint8_t>("weak", 0, 1) == 1;
   frame.cam_from_session = ReadPose(reader);
   frame.stamps = ReadStamps(reader);
-  frame.tracks = ReadTracks(BlobOf(ReadBytes("tracks", reader)));
+  frame.tracks = ReadBytes("tracks", reader, ReadTracks);
+  if (frame.tracks.size() != frame.points.size()) {
+    reader->Fail("tracks: " + std::to_string(frame.tracks.size()) + " values, expected " +
+                 std::to_string(frame.points.size()));
+  }
   return frame;
 }
 
@@ -77,7 +88,7 @@ void WriteLandmark(TrackId id, const Landmark& landmark, FieldWriter* writer) {
 
 std::pair<TrackId, std::shared_ptr<const Landmark>> ReadLandmark(FieldReader* reader) {
   std::map<TrackId, Landmark> one;
-  ReadLandmarks(BlobOf(ReadBytes("landmark", reader)), &one);
+  ReadBytes("landmark", reader, [&](const Blob& bytes) { ReadLandmarks(bytes, &one); });
   if (one.size() != 1) reader->Fail("landmark: expected one");
   return {one.begin()->first, std::make_shared<const Landmark>(one.begin()->second)};
 }

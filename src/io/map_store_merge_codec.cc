@@ -54,6 +54,9 @@ std::map<SessionId, uint32_t> ReadMarks(const Blob& bytes) {
   std::map<SessionId, uint32_t> marks;
   while (reader.Left() > 0) {
     const auto session = reader.Read<uint32_t>("session");
+    if (!marks.empty() && session <= marks.rbegin()->first.value) {
+      reader.Fail("session = " + std::to_string(session) + ": expected ascending ids");
+    }
     marks[SessionId{session}] = reader.Read<uint32_t>("mark");
   }
   return marks;

@@ -1,29 +1,50 @@
 #include "rovio_sfm/io/map_store_merges.h"
 
+#include <algorithm>
+#include <charconv>
 #include <string>
 
 #include "rovio_sfm/io/map_store_merge_codec.h"
 
 namespace rovio_sfm {
+namespace {
 
-StoredMerges::Face StoredMerges::FaceOf(const MergeEdit& edit) {
-  return {edit.report.kind,          edit.report.verdict, edit.sequence,
-          edit.links.size(),         edit.marks.size(),   edit.report.reason,
-          edit.report.error_after_px};
+uint32_t ReadNumber(const std::string& text) {
+  uint32_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc() && end == text.data() + text.size()) return number;
+  throw StoreError("info: num_accepted = " + text + ": expected a number");
 }
 
-// Place matches may come before their drive: then the drive has no row, and they are not kept.
+}  // namespace
+
+StoredMerges::Face StoredMerges::FaceOf(const MergeEdit& edit) {
+  return {edit.report, edit.accepted_by, edit.sequence, edit.marks, edit.links};
+}
+
+bool StoredMerges::IsSame(const Face& face, const MergeEdit& edit) {
+  return face.report == edit.report && face.accepted_by == edit.accepted_by &&
+         face.sequence == edit.sequence && face.marks == edit.marks && face.links == edit.links;
+}
+
 int64_t StoredMerges::RowOf(const DriveId& drive) const {
   return frames_->FindRow(drive).value_or(0);
 }
 
+// Place matches may come before their drives: those have no row yet.
+bool StoredMerges::AreDrivesKnown(const PlaceMatch& match) const {
+  return RowOf(match.query.drive) != 0 &&
+         std::all_of(match.pairs.begin(), match.pairs.end(),
+                     [this](const OverlapPair& pair) { return RowOf(pair.other.drive) != 0; });
+}
+
 void StoredMerges::PutEdits(const std::deque<MergeEdit>& edits) {
   for (size_t i = 0; i < edits.size(); ++i) {
-    const Face face = FaceOf(edits[i]);
-    if (i < kept_edits_.size() && kept_edits_[i] == face) continue;
+    const bool is_kept = i < kept_edits_.size();
+    if (is_kept && IsSame(kept_edits_[i], edits[i])) continue;
     PutEdit(edits[i]);
-    kept_edits_.resize(std::max(kept_edits_.size(), i + 1));
-    kept_edits_[i] = face;
+    if (!is_kept) kept_edits_.push_back(FaceOf(edits[i]));
+    kept_edits_[i] = FaceOf(edits[i]);
   }
 }
 
@@ -67,7 +88,7 @@ void StoredMerges::PutGauges(uint32_t num_accepted, const std::map<MapId, uint32
 void StoredMerges::PutWaiting(const std::vector<PlaceMatch>& waiting) {
   std::vector<WaitingKey> keys;
   for (const PlaceMatch& match : waiting) {
-    if (RowOf(match.query.drive) == 0 || RowOf(match.pairs.front().other.drive) == 0) continue;
+    if (!AreDrivesKnown(match)) continue;
     keys.emplace_back(match.query, match.pairs.front().other);
   }
   if (keys == kept_waiting_) return;
@@ -75,7 +96,7 @@ void StoredMerges::PutWaiting(const std::vector<PlaceMatch>& waiting) {
   const DriveRowOf row_of = [this](const DriveId& drive) { return RowOf(drive); };
   int position = 0;
   for (const PlaceMatch& match : waiting) {
-    if (RowOf(match.query.drive) == 0 || RowOf(match.pairs.front().other.drive) == 0) continue;
+    if (!AreDrivesKnown(match)) continue;
     const std::string bytes = MatchBytes(match, row_of);
     database_->Run("INSERT INTO waiting_match (position, place_match) VALUES (?, ?)", ++position,
                    BlobOf(bytes));
@@ -89,7 +110,7 @@ MergeRecord StoredMerges::Read() {
   record.waiting = ReadWaiting();
   {
     Rows rows = database_->Query("SELECT value FROM info WHERE name = 'num_accepted'");
-    if (rows.Next()) record.num_accepted = static_cast<uint32_t>(std::stoul(rows.Text(0)));
+    if (rows.Next()) record.num_accepted = ReadNumber(rows.Text(0));
   }
   Rows gauges = database_->Query("SELECT map, revision FROM gauge");
   while (gauges.Next()) {
@@ -100,6 +121,8 @@ MergeRecord StoredMerges::Read() {
     record.separated.insert({SessionId{static_cast<uint32_t>(separated.Int(0))},
                              SessionId{static_cast<uint32_t>(separated.Int(1))}});
   }
+  kept_edits_.clear();
+  kept_waiting_.clear();
   for (const MergeEdit& edit : record.edits) kept_edits_.push_back(FaceOf(edit));
   for (const PlaceMatch& match : record.waiting) {
     kept_waiting_.emplace_back(match.query, match.pairs.front().other);

@@ -206,11 +206,12 @@ void RequireVersion(StoreDatabase* database) {
 
 void OpenSchema(StoreAccess access, StoreDatabase* database) {
   database->Execute("PRAGMA foreign_keys = ON");
+  const bool is_new = access == StoreAccess::kCreate && IsEmpty(database);
+  if (!is_new) RequireVersion(database);  // before anything of another's file is changed
   if (access != StoreAccess::kRead) {
     database->Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
   }
-  if (access == StoreAccess::kCreate && IsEmpty(database)) MakeTables(database);
-  RequireVersion(database);
+  if (is_new) MakeTables(database);
 }
 
 }  // namespace rovio_sfm

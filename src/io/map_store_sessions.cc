@@ -59,12 +59,13 @@ std::string FindStrayObservation(const SessionRecord& record) {
 }  // namespace
 
 void StoredSessions::Put(Session* session) {
-  Kept& kept = kept_[session->id()];
+  const auto [known, is_new] = kept_.try_emplace(session->id());
+  Kept& kept = known->second;
   if (kept.revision == session->revision()) return;
   UnsavedParts unsaved = session->TakeUnsaved();
   const int64_t drive = frames_->RowOf(session->drive(), session->camera());
   PutRow(*session, drive);
-  if (unsaved.everything) {
+  if (unsaved.everything || is_new) {
     Forget(session->id());
     kept.epochs.clear();
     unsaved = AllOf(*session);
@@ -87,6 +88,11 @@ void StoredSessions::PutTracks(const Session& session, int64_t drive, const Unsa
   for (const uint64_t block : unsaved.landmark_blocks) {
     const TrackId first = block * kLandmarksPerBlock;
     const std::string bytes = LandmarkBytes(session.landmarks(), first, first + kLandmarksPerBlock);
+    if (bytes.empty()) {
+      database_->Run("DELETE FROM landmark_block WHERE session = ? AND block = ?",
+                     session.id().value, block);
+      continue;
+    }
     database_->Run(
         "INSERT OR REPLACE INTO landmark_block (session, block, landmarks) VALUES (?, ?, ?)",
         session.id().value, block, BlobOf(bytes));
@@ -170,22 +176,30 @@ void StoredSessions::PutEpochs(const Session& session, Kept* kept) {
   }
 }
 
-std::vector<SessionRecord> StoredSessions::Read(const FrameMaker& make) {
+std::vector<SessionId> StoredSessions::ReadIds() const {
   std::vector<SessionId> ids;
-  {
-    Rows rows = database_->Query("SELECT id FROM session ORDER BY id");
-    while (rows.Next()) ids.push_back({static_cast<uint32_t>(rows.Int(0))});
-  }
+  Rows rows = database_->Query("SELECT id FROM session ORDER BY id");
+  while (rows.Next()) ids.push_back({static_cast<uint32_t>(rows.Int(0))});
+  return ids;
+}
+
+std::vector<SessionRecord> StoredSessions::Read(const FrameMaker& make,
+                                                std::vector<std::string>* unreadable) {
   std::vector<SessionRecord> records;
-  for (const SessionId id : ids) {
-    records.push_back(ReadSession(id, make));
+  for (const SessionId id : ReadIds()) {
+    const std::string where = "session " + std::to_string(id.value) + ": ";
+    const auto read = [&] { return ReadSession(id, make); };
+    try {
+      records.push_back(WithFileNamed(database_->file(), read, where));
+    } catch (const StoreError& error) {
+      if (unreadable == nullptr) throw;
+      unreadable->push_back(error.what());
+      continue;
+    }
     kept_[id] = {std::nullopt, {}};
     for (const SessionEpoch& epoch : records.back().epochs) {
       kept_[id].epochs[epoch.number] = SizesOf(epoch);
     }
-    const std::string stray = FindStrayObservation(records.back());
-    if (stray.empty()) continue;
-    throw StoreError(database_->file() + ": session " + std::to_string(id.value) + ": " + stray);
   }
   return records;
 }
@@ -210,13 +224,15 @@ SessionRecord StoredSessions::ReadSession(SessionId id, const FrameMaker& make) 
   ReadLightFrames(make, &record);
   ReadPoints(&record);
   ReadEpochs(make, &record);
+  const std::string stray = FindStrayObservation(record);
+  if (!stray.empty()) throw StoreError(stray);
   return record;
 }
 
 void StoredSessions::ReadKeyframes(const FrameMaker& make, SessionRecord* record) const {
   Rows rows = database_->Query(
-      "SELECT frame, is_weak, pose, born, moved, tracks FROM keyframe JOIN keyframe_tracks USING "
-      "(session, frame) WHERE session = ? ORDER BY frame",
+      "SELECT frame, is_weak, pose, born, moved, tracks FROM keyframe "
+      "LEFT JOIN keyframe_tracks USING (session, frame) WHERE session = ? ORDER BY frame",
       record->id.value);
   while (rows.Next()) {
     const uint32_t index = StoredFrames::IndexOfRow(rows.Int(0));
@@ -224,9 +240,9 @@ void StoredSessions::ReadKeyframes(const FrameMaker& make, SessionRecord* record
     frame.weak = rows.Int(1) == 1;
     frame.cam_from_session = ReadPose(rows.Bytes(2));
     frame.stamps = ReadStamps(rows, 3);
-    frame.tracks = ReadTracks(rows.Bytes(5));
+    frame.tracks = ReadTracks(rows.Bytes(5));  // none where the row is missing
     if (frame.tracks.size() != frame.points.size()) {
-      throw StoreError(database_->file() + ": frame " + std::to_string(index) + ": " +
+      throw StoreError("frame " + std::to_string(index) + ": " +
                        std::to_string(frame.tracks.size()) + " tracks, expected " +
                        std::to_string(frame.points.size()) + ", as many as keypoints");
     }
@@ -281,8 +297,8 @@ void StoredSessions::ReadEpochs(const FrameMaker& make, SessionRecord* record) c
 FrameEvent StoredSessions::BareEvent(const DriveId& drive, uint32_t index) const {
   auto event = frames_->ReadEvent({drive, index}, EventParts::kBare);
   if (event) return std::move(*event);
-  throw StoreError(database_->file() + ": frame " + std::to_string(index) + " of drive " +
-                   drive.ToString() + " is missing");
+  throw StoreError("frame " + std::to_string(index) + " of drive " + drive.ToString() +
+                   " is missing");
 }
 
 }  // namespace rovio_sfm

@@ -30,47 +30,64 @@ class Descriptor {
   int value_;
 };
 
-void WriteAndSync(const std::filesystem::path& path, const std::string& content) {
-  const Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC);
-  for (size_t done = 0; done < content.size();) {
-    const ssize_t count = ::write(file.Get(), content.data() + done, content.size() - done);
-    if (count < 0 && errno != EINTR) Fail(path, "cannot be written", errno);
-    if (count > 0) done += static_cast<size_t>(count);
+// The system's own calls.
+class SystemFileLayer final : public FileLayer {
+ public:
+  bool Exists(const std::filesystem::path& path) override { return std::filesystem::exists(path); }
+  void WriteAndSync(const std::filesystem::path& path, const std::string& content) override {
+    const Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC);
+    for (size_t done = 0; done < content.size();) {
+      const ssize_t count = ::write(file.Get(), content.data() + done, content.size() - done);
+      if (count < 0 && errno != EINTR) Fail(path, "cannot be written", errno);
+      if (count > 0) done += static_cast<size_t>(count);
+    }
+    if (::fsync(file.Get()) != 0) Fail(path, "cannot be synced", errno);
   }
-  if (::fsync(file.Get()) != 0) Fail(path, "cannot be synced", errno);
-}
+  void Rename(const std::filesystem::path& from, const std::filesystem::path& to) override {
+    if (::rename(from.c_str(), to.c_str()) != 0) Fail(to, "cannot be renamed to", errno);
+  }
+  void Link(const std::filesystem::path& from, const std::filesystem::path& to) override {
+    if (::link(from.c_str(), to.c_str()) == 0) return;
+    if (errno == EEXIST) Fail(to, "not overwritten", EEXIST);
+    Fail(to, "cannot be created", errno);
+  }
+  void Remove(const std::filesystem::path& path) noexcept override { ::unlink(path.c_str()); }
+  void SyncFolder(const std::filesystem::path& folder) override {
+    const Descriptor directory(folder, O_RDONLY | O_DIRECTORY);
+    if (::fsync(directory.Get()) != 0) Fail(folder, "cannot be synced", errno);
+  }
+};
 
-// Gives the temporary file its name; without overwrite, link(2) refuses an existing one atomically.
+// Gives the temporary file its name; without overwrite, an existing one is refused atomically.
 void Publish(const std::filesystem::path& temporary, const std::filesystem::path& path,
-             Overwrite overwrite) {
-  if (overwrite == Overwrite::kAllow) {
-    if (::rename(temporary.c_str(), path.c_str()) != 0) Fail(path, "cannot be renamed to", errno);
-    return;
-  }
-  if (::link(temporary.c_str(), path.c_str()) != 0) {
-    if (errno == EEXIST) Fail(path, "not overwritten", EEXIST);
-    Fail(path, "cannot be created", errno);
-  }
-  ::unlink(temporary.c_str());
+             Overwrite overwrite, FileLayer& files) {
+  if (overwrite == Overwrite::kAllow) return files.Rename(temporary, path);
+  files.Link(temporary, path);
+  files.Remove(temporary);
 }
 
 }  // namespace
 
-void WriteFile(const std::filesystem::path& path, const std::string& content, Overwrite overwrite) {
+FileLayer& SystemFiles() {
+  static SystemFileLayer files;
+  return files;
+}
+
+void WriteFile(const std::filesystem::path& path, const std::string& content, Overwrite overwrite,
+               FileLayer& files) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  if (overwrite == Overwrite::kRefuse && std::filesystem::exists(path)) {
+  if (overwrite == Overwrite::kRefuse && files.Exists(path)) {
     Fail(path, "not overwritten", EEXIST);
   }
   const std::filesystem::path temporary = path.string() + ".tmp" + std::to_string(::getpid());
   try {
-    WriteAndSync(temporary, content);
-    Publish(temporary, path, overwrite);
+    files.WriteAndSync(temporary, content);
+    Publish(temporary, path, overwrite, files);
   } catch (...) {
-    ::unlink(temporary.c_str());
+    files.Remove(temporary);
     throw;
   }
-  const Descriptor directory(folder, O_RDONLY | O_DIRECTORY);
-  if (::fsync(directory.Get()) != 0) Fail(folder, "cannot be synced", errno);
+  files.SyncFolder(folder);
 }
 
 }  // namespace rovio_sfm

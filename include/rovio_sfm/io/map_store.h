@@ -21,6 +21,7 @@ namespace rovio_sfm {
 struct MapStoreOptions {
   bool keep_images = true;             // the JPEGs that frame events bring
   size_t max_cache_bytes = 96u << 20;  // of features and descriptors in memory
+  std::string vfs;                     // by which SQLite reaches files; empty: as the system does
 };
 
 // All maps of a folder in one SQLite file (design 5.5; docs/map_store.md): frames as they arrive,
@@ -41,8 +42,8 @@ class MapStore final : public FrameStore {
   StoredFrames& frames() { return frames_; }
   StoredSessions& sessions() { return sessions_; }
   StoredMerges& merges() { return merges_; }
-  // Why nothing is written any more; empty: all is well.
-  const std::string& error() const { return error_; }
+  // Why nothing is written any more, or a frame could not be read; empty: all is well.
+  const std::string& error() const { return error_.empty() ? read_error_ : error_; }
 
   std::shared_ptr<const FrameFeatures> Get(const FrameId& id) const override;
   // All maps as they were committed last. Throws StoreError.
@@ -58,6 +59,7 @@ class MapStore final : public FrameStore {
  private:
   void BeginChanges();
   bool Write(const std::function<void()>& write);
+  std::shared_ptr<const FrameFeatures> Fetch(const FrameId& id) const;
 
   MapStoreOptions options_;
   mutable StoreDatabase database_;
@@ -67,8 +69,9 @@ class MapStore final : public FrameStore {
   FrameCache cache_;
   uint64_t num_commits_ = 0;
   std::vector<FrameEvent> uncommitted_;
-  std::string error_;
-  MemoryFrameStore unwritten_;  // what came since the error
+  std::string error_;               // of writing
+  mutable std::string read_error_;  // of Get
+  MemoryFrameStore unwritten_;      // what came since the error
 };
 
 }  // namespace rovio_sfm

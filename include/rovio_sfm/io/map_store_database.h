@@ -48,14 +48,27 @@ class Rows {
   const std::string* file_;
 };
 
+// What a call throws, as a StoreError that names the file, once, and where in it.
+template <typename Call>
+auto WithFileNamed(const std::string& file, const Call& call, const std::string& where = "") {
+  try {
+    return call();
+  } catch (const std::exception& error) {
+    const std::string prefix = file + ": ", message = error.what();
+    const bool is_named = message.compare(0, prefix.size(), prefix) == 0;
+    throw StoreError(prefix + where + message.substr(is_named ? prefix.size() : 0));
+  }
+}
+
 enum class StoreAccess { kCreate, kWrite, kRead };
 
 // One SQLite file, with its statements prepared once. Whatever fails throws StoreError.
 // Thread-compatible.
 class StoreDatabase {
  public:
-  // kCreate makes the file where it is missing; the others need it.
-  StoreDatabase(const std::filesystem::path& path, StoreAccess access);
+  // kCreate makes the file where it is missing; the others need it. How SQLite reaches files may be
+  // named (a VFS that it knows); empty: as the system does.
+  StoreDatabase(const std::filesystem::path& path, StoreAccess access, const std::string& vfs = "");
   ~StoreDatabase();
   StoreDatabase(const StoreDatabase&) = delete;
   StoreDatabase& operator=(const StoreDatabase&) = delete;

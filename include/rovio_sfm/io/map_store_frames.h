@@ -50,11 +50,12 @@ class StoredFrames {
     Camera camera;
   };
 
+  std::optional<FrameEvent> ReadRow(const FrameId& id, int64_t row, EventParts parts) const;
   std::optional<int64_t> RowOfFrame(const FrameId& id) const;
   void PutPairs(int64_t row, const FrameEvent& event);
-  std::vector<PairMatches> ReadPairs(int64_t row) const;
+  std::vector<PairMatches> ReadPairs(int64_t row, size_t num_features) const;
   std::vector<TrackLink> ReadLinks(int64_t row) const;
-  void ReadDescriptors(int64_t row, Descriptors* descriptors) const;
+  void ReadDescriptors(int64_t row, FrameFeatures* features) const;
 
   StoreDatabase* database_;
   std::map<int64_t, Drive> drives_;  // by row

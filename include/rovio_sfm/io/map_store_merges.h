@@ -3,9 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
-#include <optional>
 #include <set>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -31,12 +29,19 @@ class StoredMerges {
   MergeRecord Read();
 
  private:
-  // What tells an edit from what it was: each of its changes changes one of these.
-  using Face = std::tuple<MergeKind, MergeVerdict, uint32_t, size_t, size_t, std::string,
-                          std::optional<double>>;
+  // What of an edit may change; its place match never does.
+  struct Face {
+    MergeReport report;
+    AcceptedBy accepted_by;
+    uint32_t sequence;
+    std::map<SessionId, uint32_t> marks;
+    std::vector<FeatureLink> links;
+  };
   using WaitingKey = std::pair<FrameId, FrameId>;  // query, first of the matched frames
 
+  static bool IsSame(const Face& face, const MergeEdit& edit);
   static Face FaceOf(const MergeEdit& edit);
+  bool AreDrivesKnown(const PlaceMatch& match) const;
   void PutEdit(const MergeEdit& edit);
   int64_t RowOf(const DriveId& drive) const;
   std::vector<MergeEdit> ReadEdits() const;

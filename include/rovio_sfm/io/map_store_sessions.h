@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,8 +24,10 @@ class StoredSessions {
   // Writes what changed since the last call; frames must have been put.
   void Put(Session* session);
 
-  // Throws where the tables contradict themselves, with the session and what is wrong.
-  std::vector<SessionRecord> Read(const FrameMaker& make);
+  // Throws where the tables contradict themselves, with the session and what is wrong; or, where
+  // they are given a place, leaves such sessions out and says so there.
+  std::vector<SessionRecord> Read(const FrameMaker& make,
+                                  std::vector<std::string>* unreadable = nullptr);
 
  private:
   struct Kept {
@@ -37,6 +40,7 @@ class StoredSessions {
   void PutPose(const Session& session, int64_t drive, uint32_t index);
   void PutTracks(const Session& session, int64_t drive, const UnsavedParts& unsaved);
   void PutEpochs(const Session& session, Kept* kept);
+  std::vector<SessionId> ReadIds() const;
   SessionRecord ReadSession(SessionId id, const FrameMaker& make) const;
   void ReadKeyframes(const FrameMaker& make, SessionRecord* record) const;
   void ReadLightFrames(const FrameMaker& make, SessionRecord* record) const;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace rovio_sfm {
+
+// What a map store holds, for people: drives, sessions, the maps they form, merges, what takes how
+// much. Throws StoreError where it does not read.
+void TellContents(const std::filesystem::path& file, std::ostream& out);
+
+// Everything that is wrong with a map store: pages, references, columns, sessions. Empty: it is
+// sound. Throws StoreError where it is none.
+std::vector<std::string> FindStoreFaults(const std::filesystem::path& file);
+
+// What may be forgotten to save space.
+struct PruneChoice {
+  bool images = false;       // exports with pictures, and dense maps, lack them
+  bool descriptors = false;  // nothing is recognised in, merged with or localised by those drives
+  std::vector<std::string> drives;  // by DriveId::ToString; empty: all
+};
+
+// Throws std::runtime_error for a drive that is not there. Returns how many rows went.
+size_t PruneStore(const std::filesystem::path& file, const PruneChoice& choice);
+
+}  // namespace rovio_sfm

@@ -1,0 +1,84 @@
+#include "rovio_sfm/tools/map_tool.h"
+
+#include <gtest/gtest.h>
+
+#include "tools/command_line.h"
+#include "tools/kept_maps.h"
+#include "util/temporary_folder.h"
+
+namespace rovio_sfm {
+namespace {
+
+class MapTool : public ::testing::Test {
+ protected:
+  int Tool(const std::vector<std::string>& arguments) {
+    return RunCommand(MapToolCommand, arguments, &printed_);
+  }
+  bool Printed(const std::string& text) const { return printed_.find(text) != std::string::npos; }
+
+  const TemporaryFolder folder_;
+  const std::string file_ = folder_.Path() / "map.db", new_ = folder_.Path() / "new.db";
+  std::string printed_;
+};
+
+TEST_F(MapTool, ChecksAndTellsAndRepairs) {
+  KeepTwoDrives(file_, true);
+  EXPECT_EQ(Tool({"check", file_}), 0);
+  EXPECT_EQ(printed_, file_ + ": sound\n");
+  EXPECT_EQ(Tool({"info", file_}), 0);
+  EXPECT_TRUE(Printed("sessions  2\n")) << printed_;
+  Spoil(file_, "UPDATE keyframe SET pose = x'00' WHERE session = 2");
+  EXPECT_EQ(Tool({"check", file_}), 1);
+  EXPECT_TRUE(Printed("session 2: pose: cut short")) << printed_;
+  EXPECT_TRUE(Printed(file_ + ": 1 faults; see map_tool repair\n")) << printed_;
+  EXPECT_EQ(Tool({"repair", file_, new_}), 1);
+  EXPECT_TRUE(Printed("lost: " + file_ + ": session 2: pose: cut short")) << printed_;
+  EXPECT_TRUE(Printed("copied 24 frames, 1 sessions and 1 overlaps\nwrote " + new_ + "\n"));
+  EXPECT_EQ(Tool({"check", new_}), 0) << printed_;
+}
+
+TEST_F(MapTool, ExportsTheLargestMapOrOneThatIsNamed) {
+  KeepTwoDrives(file_, false);
+  const std::string out = folder_.Path() / "out";
+  EXPECT_EQ(Tool({"export", file_, "--out", out}), 0);
+  EXPECT_TRUE(Printed("wrote " + out + "/cloud.ply\n")) << printed_;
+  EXPECT_NE(ReadText(out + "/trajectory.txt"), "");
+  EXPECT_THROW(Tool({"export", file_, "--out", out}), std::runtime_error);  // never silently
+  EXPECT_EQ(Tool({"export", file_, "--out", out, "--map", "2", "--overwrite"}), 0);
+  EXPECT_EQ(MessageOf([&] {
+              Tool({"export", file_, "--out", out, "--map", "9"});
+            }),
+            file_ + ": map = 9: expected one with posed frames");
+}
+
+TEST_F(MapTool, MergesAndPrunes) {
+  const std::string second = folder_.Path() / "second.db";
+  KeepTwoDrives(file_, true);
+  KeepTwoDrives(second, true, "other_");
+  EXPECT_EQ(Tool({"merge", file_, second, new_}), 0);
+  EXPECT_TRUE(Printed("copied 48 frames, 4 sessions and 2 overlaps\n")) << printed_;
+  EXPECT_EQ(Tool({"check", new_}), 0) << printed_;
+  EXPECT_EQ(Tool({"prune", new_, "--images", "--descriptors"}), 0);
+  EXPECT_TRUE(Printed("forgot 96 rows: ")) << printed_;
+  EXPECT_THROW(Tool({"prune", new_}), std::runtime_error);
+}
+
+TEST_F(MapTool, RefusesWhatItCannotUse) {
+  EXPECT_NE(Tool({}), 0);
+  EXPECT_NE(Tool({"nonsense"}), 0);
+  EXPECT_NE(Tool({"merge", file_, file_}), 0);
+  for (const std::string command : {"info", "check"}) {
+    EXPECT_NE(MessageOf([&] {
+                Tool({command, file_});
+              }).find(file_ + ": cannot be opened"),
+              std::string::npos);
+  }
+  folder_.Write("map.db", "text");
+  EXPECT_NE(MessageOf([&] {
+              Tool({"info", file_});
+            }).find(file_ + ": file is not a database"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace rovio_sfm
