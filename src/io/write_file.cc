@@ -1,9 +1,11 @@
 #include "rovio_sfm/io/write_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
@@ -17,10 +19,7 @@ namespace {
 // An open file descriptor, closed when it goes.
 class Descriptor {
  public:
-  Descriptor(const std::filesystem::path& path, int flags)
-      : value_(::open(path.c_str(), flags | O_CLOEXEC, 0644)) {
-    if (value_ < 0) Fail(path, "cannot be opened", errno);
-  }
+  explicit Descriptor(int value) : value_(value) {}
   ~Descriptor() { ::close(value_); }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
@@ -30,14 +29,33 @@ class Descriptor {
   int value_;
 };
 
-void WriteAndSync(const std::filesystem::path& path, const std::string& content) {
-  const Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC);
+// A file of its own for every call, beside the target; its name in `path`.
+int OpenTemporary(std::filesystem::path* path) {
+  std::string name = path->string() + ".tmpXXXXXX";
+  const int file = ::mkostemp(name.data(), O_CLOEXEC);
+  if (file < 0) Fail(*path, "cannot be opened", errno);
+  *path = name;
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  if (::fchmod(file, 0666 & ~mask) != 0) Fail(*path, "cannot be opened", errno);
+  return file;
+}
+
+void WriteAndSync(const Descriptor& file, const std::filesystem::path& path,
+                  const std::string& content) {
   for (size_t done = 0; done < content.size();) {
     const ssize_t count = ::write(file.Get(), content.data() + done, content.size() - done);
     if (count < 0 && errno != EINTR) Fail(path, "cannot be written", errno);
     if (count > 0) done += static_cast<size_t>(count);
   }
   if (::fsync(file.Get()) != 0) Fail(path, "cannot be synced", errno);
+}
+
+void SyncFolder(const std::filesystem::path& folder) {
+  const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (opened < 0) Fail(folder, "cannot be opened", errno);
+  const Descriptor directory(opened);
+  if (::fsync(directory.Get()) != 0) Fail(folder, "cannot be synced", errno);
 }
 
 // Gives the temporary file its name; without overwrite, link(2) refuses an existing one atomically.
@@ -61,16 +79,16 @@ void WriteFile(const std::filesystem::path& path, const std::string& content, Ov
   if (overwrite == Overwrite::kRefuse && std::filesystem::exists(path)) {
     Fail(path, "not overwritten", EEXIST);
   }
-  const std::filesystem::path temporary = path.string() + ".tmp" + std::to_string(::getpid());
+  std::filesystem::path temporary = path;
+  const Descriptor file(OpenTemporary(&temporary));
   try {
-    WriteAndSync(temporary, content);
+    WriteAndSync(file, path, content);
     Publish(temporary, path, overwrite);
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;
   }
-  const Descriptor directory(folder, O_RDONLY | O_DIRECTORY);
-  if (::fsync(directory.Get()) != 0) Fail(folder, "cannot be synced", errno);
+  SyncFolder(folder);
 }
 
 }  // namespace rovio_sfm

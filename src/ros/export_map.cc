@@ -18,6 +18,13 @@ bool IsFolderName(const std::string& name) {
   return is_plain && name.size() <= 64 && (name.empty() || name.front() != '.');
 }
 
+// Where links in the folder lead elsewhere, nothing is written.
+bool StaysInside(const std::filesystem::path& folder, const std::filesystem::path& output_dir) {
+  const std::filesystem::path inside = std::filesystem::weakly_canonical(folder).lexically_relative(
+      std::filesystem::weakly_canonical(output_dir));
+  return !inside.empty() && *inside.begin() != "..";
+}
+
 void Write(const LevelMap& map, const std::filesystem::path& folder, bool overwrite,
            ExportMapResponse* response) {
   if (!overwrite && std::filesystem::exists(folder / "cloud.ply")) {
@@ -55,7 +62,13 @@ ExportMapResponse ExportMapFiles(const MapSnapshot& snapshot, const std::string&
     return response;
   }
   try {
-    Write(*map, std::filesystem::path(output_dir) / request.name, request.overwrite, &response);
+    const std::filesystem::path folder = std::filesystem::path(output_dir) / request.name;
+    if (!StaysInside(folder, output_dir)) {
+      response.status = InvalidArgument("name: " + folder.string() +
+                                        " is a link that leads out of " + output_dir);
+      return response;
+    }
+    Write(*map, folder, request.overwrite, &response);
   } catch (const std::exception& error) {  // a full disk, a read-only folder
     response.status = Internal(error.what());
   }
