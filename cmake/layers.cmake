@@ -41,7 +41,7 @@ target_compile_definitions(rovio_app PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_
 rovio_library(tools       LINKS rovio_app nlohmann_json::nlohmann_json TEST_LINKS rovio_synthetic)
 target_compile_definitions(rovio_tools PRIVATE ROVIO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 if(ROVIO_WITH_ROS)
-  rovio_library(ros       LINKS rovio_app ${catkin_LIBRARIES} TEST_LINKS rovio_synthetic)
+  rovio_library(ros       LINKS rovio_tools ${catkin_LIBRARIES} TEST_LINKS rovio_synthetic)
   add_dependencies(rovio_ros ${${PROJECT_NAME}_EXPORTED_TARGETS})  # generated headers
 endif()
 

@@ -20,6 +20,12 @@ void Add(const FrontendCounters& more, FrontendCounters* sum) {
   sum->light_frames += more.light_frames;
   sum->drives += more.drives;
   sum->links += more.links;
+  sum->track_matches += more.track_matches;
+  sum->refused_f1 += more.refused_f1;
+}
+
+uint64_t NumDropped(const FrontendCounters& counters) {
+  return counters.refused + counters.spoilt + counters.featureless + counters.untracked;
 }
 
 }  // namespace
@@ -80,10 +86,15 @@ void OfflineMapper::Add(ImageEvent image) {
 void OfflineMapper::TakeOldest() {
   const PreparedImage image = prepared_.front().get();
   prepared_.pop_front();
+  const uint64_t num_dropped = NumDropped(frontend_->counters());
   std::optional<FrameEvent> event = frontend_->Add(image);
+  if (NumDropped(frontend_->counters()) > num_dropped) {
+    CountReason(frontend_->last_refusal(), &dropped_);
+  }
   if (!event) return;
   event->id.drive = KeptName(event->id.drive);
   AddToFunnel(*event, &funnel_);
+  CountMotion(*event, &motion_);
   if (mapping_) {
     mapping_->Push(std::move(*event));
   } else {
@@ -100,7 +111,11 @@ void OfflineMapper::Map(const FrameEvent& event) {
   }
   const auto kept = kept_before_.find(event.id.drive);
   if (kept != kept_before_.end() && event.id.index < kept->second) return;
-  mapper_.Add(event);
+  const MapperReport report = mapper_.Add(event);
+  landmarks_.created += report.num_created;
+  landmarks_.united += report.num_united;
+  landmarks_.pruned_observations += report.num_pruned;
+  if (report.outcome == MapperOutcome::kRefused) CountReason("frame: " + report.reason, &refused_);
   if (recognizer_) {
     for (const PlaceMatch& match : recognizer_->Add(event)) mapper_.Add(match);
   }
@@ -136,9 +151,21 @@ void OfflineMapper::FinishDrive() {
   frontend_.reset();
 }
 
-std::shared_ptr<const MapSnapshot> OfflineMapper::Finish() {
+ReasonCounts OfflineMapper::reasons() const {
+  ReasonCounts all = dropped_;
+  AddReasons(refused_, &all);
+  return all;
+}
+
+std::shared_ptr<const MapSnapshot> OfflineMapper::Drain() {
   FinishDrive();
   if (mapping_) mapping_->Finish();
+  if (kept_ != nullptr) mapper_.SaveTo(kept_);
+  return mapper_.Snapshot();
+}
+
+std::shared_ptr<const MapSnapshot> OfflineMapper::Finish() {
+  Drain();
   if (options_.seeded) MapSeeded();
   mapper_.Finish();
   if (kept_ != nullptr) mapper_.SaveTo(kept_);

@@ -3,10 +3,13 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <map>
 #include <regex>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/image_bytes.h"
@@ -20,14 +23,26 @@ const char* const kTransforms = "/tf";
 const char* const kStaticTransforms = "/tf_static";
 constexpr double kForeverS = 1e6;
 
-std::string TopicOf(const BagDrive& drive, const char* name) {
-  return "/" + drive.robot + "/" + name;
-}
-
 SensorOptions ForWholeBag(SensorOptions options, const std::string& robot) {
   options.odom_memory_s = kForeverS;
   if (options.base_frame.empty()) options.base_frame = robot + "/base_link";
   return options;
+}
+
+// Of all topics of these types, one after the other.
+std::string ListTopics(const rosbag::Bag& bag, const std::set<std::string>& types) {
+  std::set<std::string> topics;
+  rosbag::View view(bag);
+  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
+    if (types.count(connection->datatype) > 0) topics.insert(connection->topic);
+  }
+  std::string list;
+  for (const std::string& topic : topics) list += (list.empty() ? "" : ", ") + topic;
+  return list.empty() ? "none" : list;
+}
+
+std::string ListImageTopics(const rosbag::Bag& bag) {
+  return ListTopics(bag, {"sensor_msgs/Image", "sensor_msgs/CompressedImage"});
 }
 
 // The image topic of every robot; compressed ones win.
@@ -44,9 +59,50 @@ std::map<std::string, std::string> ImageTopics(const rosbag::Bag& bag) {
   return topics;
 }
 
+// A robot's name from the first part of a topic.
+std::string RobotOf(const std::string& topic) {
+  const size_t begin = topic.find_first_not_of('/');
+  std::string name;
+  for (const char c : topic.substr(begin, topic.find('/', begin) - begin)) {
+    const auto letter = static_cast<unsigned char>(c);
+    name += std::isalnum(letter) != 0 ? static_cast<char>(std::tolower(letter)) : '_';
+  }
+  return std::isalpha(static_cast<unsigned char>(name.front())) != 0 ? name : "robot_" + name;
+}
+
+// Beside an image topic, as image_transport expects it.
+std::string InfoTopicOf(std::string image_topic) {
+  const std::string compressed = "/compressed";
+  const size_t end = image_topic.size() - std::min(image_topic.size(), compressed.size());
+  if (image_topic.compare(end, std::string::npos, compressed) == 0) image_topic.resize(end);
+  return image_topic.substr(0, image_topic.rfind('/') + 1) + topics::kCameraInfo;
+}
+
+BagDrive DriveOf(const std::filesystem::path& path, const std::string& robot,
+                 const std::string& image_topic, const BagTopics& topics) {
+  const std::string space = image_topic.substr(0, image_topic.find('/', 1) + 1);
+  return {path,
+          robot,
+          image_topic,
+          topics.info.empty() ? InfoTopicOf(image_topic) : topics.info,
+          topics.odom.empty() ? space + rovio_sfm::topics::kOdom : topics.odom,
+          std::nullopt};
+}
+
+void RequireTopic(const std::filesystem::path& path, const rosbag::Bag& bag,
+                  const std::string& topic) {
+  if (topic.empty()) return;
+  if (rosbag::View(bag, rosbag::TopicQuery(topic)).size() > 0) return;
+  throw std::runtime_error(path.string() + ": no topic " + topic +
+                           "; its image topics: " + ListImageTopics(bag));
+}
+
 void OpenBag(const std::filesystem::path& path, rosbag::Bag* bag) {
   try {
     bag->open(path.string(), rosbag::bagmode::Read);
+  } catch (const rosbag::BagUnindexedException&) {
+    throw std::runtime_error(path.string() + ": was not closed by its recorder; mend it first: " +
+                             "rosbag reindex " + path.string());
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error(path.string() + ": " + error.what());
   }
@@ -54,31 +110,55 @@ void OpenBag(const std::filesystem::path& path, rosbag::Bag* bag) {
 
 }  // namespace
 
-std::vector<BagDrive> FindDrives(const std::vector<std::filesystem::path>& bags) {
+std::vector<BagDrive> FindDrives(const std::vector<std::filesystem::path>& bags,
+                                 const BagTopics& topics) {
   std::vector<BagDrive> drives;
   for (const std::filesystem::path& path : bags) {
     rosbag::Bag bag;
     OpenBag(path, &bag);
-    const std::map<std::string, std::string> topics = ImageTopics(bag);
-    if (topics.empty()) {
-      throw std::runtime_error(path.string() +
-                               ": no topic /<robot>/image_raw or /<robot>/image_raw/compressed");
+    for (const std::string& topic : {topics.image, topics.info, topics.odom}) {
+      RequireTopic(path, bag, topic);
     }
-    for (const auto& [robot, topic] : topics) drives.push_back({path, robot, topic});
+    if (!topics.image.empty()) {
+      drives.push_back(DriveOf(path, RobotOf(topics.image), topics.image, topics));
+      continue;
+    }
+    const std::map<std::string, std::string> found = ImageTopics(bag);
+    if (found.empty()) {
+      throw std::runtime_error(path.string() + ": no topic /<robot>/image_raw or " +
+                               "/<robot>/image_raw/compressed; its image topics: " +
+                               ListImageTopics(bag) + " (--image-topic takes one)");
+    }
+    for (const auto& [robot, topic] : found) drives.push_back(DriveOf(path, robot, topic, topics));
   }
   return drives;
 }
 
 BagImages::BagImages(const BagDrive& drive, SensorOptions options)
     : drive_(drive),
+      base_frame_(ForWholeBag(options, drive.robot).base_frame),
       transforms_(ros::Duration(kForeverS)),
       sensors_(ForWholeBag(std::move(options), drive.robot), &transforms_) {
   OpenBag(drive.bag, &bag_);
-  ReadMotion(TopicOf(drive, topics::kOdom));
-  ReadCameras(TopicOf(drive, topics::kCameraInfo));
+  ReadMotion(drive.odom_topic);
+  if (drive.camera) sensors_.SetCamera(*drive.camera);
+  if (!drive.camera) ReadCameras(drive.info_topic);
   view_ = std::make_unique<rosbag::View>(bag_, rosbag::TopicQuery(drive.image_topic));
   num_images_ = view_->size();
   next_ = view_->begin();
+}
+
+std::string BagImages::MissingHead() const {
+  if (!lacks_head_) return "";
+  std::vector<std::string> frames;
+  transforms_._getFrameStrings(frames);
+  std::sort(frames.begin(), frames.end());
+  std::string list;
+  for (const std::string& frame : frames) list += (list.empty() ? "" : ", ") + frame;
+  return "no tf between " + base_frame_ + " and " +
+         (headless_frame_.empty() ? "the camera (its images name no frame)" : headless_frame_) +
+         "; the bag's frames: " + (list.empty() ? "none" : list) +
+         " (--base-frame names the robot's)";
 }
 
 void BagImages::ReadCameras(const std::string& info_topic) {
@@ -92,7 +172,10 @@ void BagImages::ReadCameras(const std::string& info_topic) {
       ++num_refused_;
     }
   }
-  if (cameras_.empty()) throw std::runtime_error(drive_.bag.string() + ": " + error);
+  if (!cameras_.empty()) return;
+  throw std::runtime_error(drive_.bag.string() + ": " + error + "; its topics of that type: " +
+                           ListTopics(bag_, {"sensor_msgs/CameraInfo"}) +
+                           " (--camera-info-topic takes one, --calibration a file)");
 }
 
 void BagImages::ReadMotion(const std::string& odom_topic) {
@@ -121,7 +204,11 @@ std::optional<ImageEvent> BagImages::Next() {
   while (next_ != view_->end()) {
     const rosbag::MessageInstance message = *next_;
     ++next_;
-    if (std::optional<ImageEvent> event = ReadImage(message)) return event;
+    if (std::optional<ImageEvent> event = ReadImage(message)) {
+      lacks_head_ = lacks_head_ || !event->base_from_camera;
+      if (!event->base_from_camera) headless_frame_ = event->camera_frame;
+      return event;
+    }
     ++num_refused_;
   }
   return std::nullopt;
@@ -146,9 +233,8 @@ std::optional<ImageEvent> BagImages::ReadImage(const rosbag::MessageInstance& me
     header = raw->header;
     bytes = BytesOf(*raw, &error);
   }
-  if (bytes == nullptr || !sensors_.AddCameraInfo(CameraAt(header.stamp), &error)) {
-    return std::nullopt;
-  }
+  const bool has_camera = drive_.camera || sensors_.AddCameraInfo(CameraAt(header.stamp), &error);
+  if (bytes == nullptr || !has_camera) return std::nullopt;
   return sensors_.MakeEvent({ToNanoseconds(header.stamp), header.frame_id, name, bytes});
 }
 

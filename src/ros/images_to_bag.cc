@@ -6,19 +6,23 @@
 
 #include <CLI/CLI.hpp>
 #include <fstream>
+#include <memory>
 #include <ostream>
 #include <stdexcept>
 
 #include "rovio_sfm/app/command_arguments.h"
+#include "rovio_sfm/app/output_folder.h"
 #include "rovio_sfm/io/odometry_file.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/stop_signals.h"
 
 namespace rovio_sfm {
 namespace {
 
 // Odometry and images have other stamps; rosbag wants no stamp of zero.
 constexpr int64_t kFirstStampNs = 1;
+constexpr uintmax_t kBytesBesideImage = 4096;  // camera_info, tf, odometry, index
 
 std::vector<uint8_t> ReadBytes(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -32,7 +36,17 @@ std::vector<uint8_t> ReadBytes(const std::filesystem::path& path) {
 class BagWriter {
  public:
   BagWriter(const std::string& robot, const std::string& path)
-      : robot_(robot), bag_(path, rosbag::bagmode::Write) {}
+      : robot_(robot), bag_(std::make_unique<rosbag::Bag>(path, rosbag::bagmode::Write)) {}
+  // A bag that could not be written does not bear being destroyed either: it writes and throws.
+  ~BagWriter() {
+    try {
+      bag_->close();
+    } catch (const rosbag::BagException&) {
+      static_cast<void>(bag_.release());
+    }
+  }
+  BagWriter(const BagWriter&) = delete;
+  BagWriter& operator=(const BagWriter&) = delete;
 
   void WriteImage(const DatasetImage& image, const Camera& camera) {
     sensor_msgs::CompressedImage message;
@@ -40,23 +54,23 @@ class BagWriter {
     message.header.frame_id = robot_ + "/camera_optical";
     message.data = ReadBytes(image.path);
     message.format = message.data.front() == 0xFF ? "jpeg" : "png";
-    bag_.write(Topic(topics::kCameraInfo), message.header.stamp,
-               ToCameraInfo(camera, image.stamp_ns, message.header.frame_id));
+    bag_->write(Topic(topics::kCameraInfo), message.header.stamp,
+                ToCameraInfo(camera, image.stamp_ns, message.header.frame_id));
     if (image.base_from_camera) {
       std_msgs::Header base = message.header;
       base.frame_id = robot_ + "/base_link";
       WriteTransform(base, message.header.frame_id, *image.base_from_camera, base.stamp);
     }
-    bag_.write(Topic(topics::kImageCompressed), message.header.stamp, message);
+    bag_->write(Topic(topics::kImageCompressed), message.header.stamp, message);
   }
 
   void WriteOdometry(const StampedOdometry& odometry) {
-    bag_.write(
+    bag_->write(
         Topic(topics::kOdom), ToTime(std::max(kFirstStampNs, odometry.stamp_ns)),
         ToOdometry(odometry.sample, odometry.stamp_ns, robot_ + "/odom", robot_ + "/base_link"));
   }
 
-  void Close() { bag_.close(); }
+  void Close() { bag_->close(); }
 
  private:
   std::string Topic(const char* name) const { return "/" + robot_ + "/" + name; }
@@ -68,11 +82,11 @@ class BagWriter {
     message.transforms[0].header = parent;
     message.transforms[0].child_frame_id = child;
     message.transforms[0].transform = ToTransform(parent_from_child);
-    bag_.write("/tf", time, message);
+    bag_->write("/tf", time, message);
   }
 
   std::string robot_;
-  rosbag::Bag bag_;
+  std::unique_ptr<rosbag::Bag> bag_;
 };
 
 std::vector<StampedOdometry> ReadAllOdometry(const std::filesystem::path& folder) {
@@ -80,33 +94,59 @@ std::vector<StampedOdometry> ReadAllOdometry(const std::filesystem::path& folder
   return std::filesystem::exists(file) ? ReadOdometry(file) : std::vector<StampedOdometry>{};
 }
 
-// Images and odometry by rising stamp; odometry first where both are equal.
-void WriteInOrder(const DatasetFolder& dataset, BagWriter* writer) {
+// Images and odometry by rising stamp; odometry first where both are equal. The number of images
+// written; fewer where a signal came.
+size_t WriteInOrder(const DatasetFolder& dataset, BagWriter* writer) {
   const std::vector<StampedOdometry> odometry = ReadAllOdometry(dataset.path);
   auto next = odometry.begin();
+  size_t num_written = 0;
   for (const DatasetImage& image : dataset.images) {
+    if (IsStopRequested()) return num_written;
     for (; next != odometry.end() && next->stamp_ns <= image.stamp_ns; ++next) {
       writer->WriteOdometry(*next);
     }
     writer->WriteImage(image, dataset.camera);
+    ++num_written;
   }
   for (; next != odometry.end(); ++next) writer->WriteOdometry(*next);
+  return num_written;
+}
+
+uintmax_t SizeOfImages(const DatasetFolder& dataset) {
+  uintmax_t size = 0;
+  for (const DatasetImage& image : dataset.images) size += std::filesystem::file_size(image.path);
+  return size;
+}
+
+void RequireRoomForBag(const DatasetFolder& dataset, const std::filesystem::path& bag) {
+  const std::filesystem::path folder = std::filesystem::absolute(bag).parent_path();
+  RequireWritableFolder(folder, SizeOfImages(dataset) + dataset.images.size() * kBytesBesideImage);
 }
 
 }  // namespace
 
-void WriteBag(const DatasetFolder& dataset, const std::string& robot,
-              const std::filesystem::path& bag_path, bool overwrite) {
+size_t WriteBag(const DatasetFolder& dataset, const std::string& robot,
+                const std::filesystem::path& bag_path, bool overwrite) {
   std::string error;
   if (!IsValidRobotName(robot, &error)) throw std::runtime_error(error);
   if (!overwrite && std::filesystem::exists(bag_path)) {
     throw std::runtime_error(bag_path.string() + ": exists already (--overwrite replaces it)");
   }
+  RequireRoomForBag(dataset, bag_path);
   const std::filesystem::path unfinished = bag_path.string() + ".active";
-  BagWriter writer(robot, unfinished.string());
-  WriteInOrder(dataset, &writer);
-  writer.Close();
-  std::filesystem::rename(unfinished, bag_path);
+  size_t num_written = 0;
+  try {
+    BagWriter writer(robot, unfinished.string());
+    num_written = WriteInOrder(dataset, &writer);
+    const HoldSecondStop hold;
+    writer.Close();
+    std::filesystem::rename(unfinished, bag_path);
+  } catch (const std::exception& problem) {
+    std::error_code ignored;
+    std::filesystem::remove(unfinished, ignored);
+    throw std::runtime_error(bag_path.string() + ": not written: " + problem.what());
+  }
+  return num_written;
 }
 
 int ImagesToBagCommand(int argc, const char* const* argv, std::ostream& out) {
@@ -123,9 +163,12 @@ int ImagesToBagCommand(int argc, const char* const* argv, std::ostream& out) {
   if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
   DatasetFolder dataset = EveryNth(ReadDatasetFolder(folder), stride);
   if (max_images > 0 && dataset.images.size() > max_images) dataset.images.resize(max_images);
-  WriteBag(dataset, robot, bag, overwrite);
-  out << dataset.images.size() << " images in " << std::filesystem::absolute(bag).string() << "\n";
-  return 0;
+  const size_t num_written = WriteBag(dataset, robot, bag, overwrite);
+  out << num_written << " images in " << std::filesystem::absolute(bag).string() << "\n";
+  if (!IsStopRequested()) return 0;
+  out << "stopped by a signal: " << num_written << " of " << dataset.images.size()
+      << " images are in the bag\n";
+  return StatusOfStop();
 }
 
 }  // namespace rovio_sfm

@@ -72,6 +72,7 @@ std::optional<MapStatus> MapStatusWriter::Write(const MapPicture& picture,
   status.header.stamp = NewestStamp(*picture.snapshot);
   WriteSessions(picture, &status);
   WriteMaps(picture, &status);
+  status.why_not_metric = WhyNotMetric(picture);
   AddCounters(picture, counters, &status);
   AddMerges(*picture.merges, &status);
   return status;

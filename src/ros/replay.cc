@@ -4,17 +4,22 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <ostream>
 #include <stdexcept>
+#include <utility>
 
 #include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/app/load_options.h"
+#include "rovio_sfm/app/output_folder.h"
 #include "rovio_sfm/app/place_model_option.h"
 #include "rovio_sfm/app/progress_bar.h"
-#include "rovio_sfm/app/write_map_files.h"
+#include "rovio_sfm/io/calibration.h"
 #include "rovio_sfm/ros/bag_images.h"
+#include "rovio_sfm/tools/finish_run.h"
 #include "rovio_sfm/util/steady_clock.h"
+#include "rovio_sfm/util/stop_signals.h"
 
 namespace rovio_sfm {
 namespace {
@@ -22,6 +27,8 @@ namespace {
 struct Arguments : MappingArguments {
   std::vector<std::string> bags;
   std::string frontend_file, mapper_file;
+  std::string calibration_file;
+  BagTopics topics;
   SensorOptions sensors;
 };
 
@@ -33,6 +40,14 @@ void Declare(Arguments* arguments, CLI::App* app) {
                   "an image was taken so long before its stamp, s");
   app->add_option("--odom-latency", arguments->sensors.odom_latency_s,
                   "so was an odometry sample, s");
+  app->add_option("--base-frame", arguments->sensors.base_frame,
+                  "tf frame of the body; without: <robot>/base_link");
+  app->add_option("--image-topic", arguments->topics.image,
+                  "images; without: /<robot>/image_raw/compressed or /<robot>/image_raw");
+  app->add_option("--camera-info-topic", arguments->topics.info, "without: beside the images");
+  app->add_option("--odom-topic", arguments->topics.odom, "without: /<robot>/odom");
+  app->add_option("--calibration", arguments->calibration_file,
+                  "camera_info YAML or calibration.txt, instead of a camera_info topic");
   DeclareMappingArguments(app, arguments);
 }
 
@@ -54,30 +69,82 @@ void CompleteOptions(Arguments* arguments) {
   RequireValid(arguments->sensors);
 }
 
-std::shared_ptr<const MapSnapshot> MapBags(const Arguments& arguments, std::ostream& out,
-                                           std::ostream& progress) {
-  std::vector<std::filesystem::path> paths(arguments.bags.begin(), arguments.bags.end());
-  const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
-  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), nullptr,
-                       store ? &store->store() : nullptr);
-  for (const BagDrive& drive : FindDrives(paths)) {
-    BagImages images(drive, arguments.sensors);
-    ProgressBar bar(images.Count(), &progress);
-    const double start_s = SteadySeconds();
-    mapper.StartDrive(drive.robot);
-    size_t num_done = 0;
-    while (std::optional<ImageEvent> image = images.Next()) {
-      mapper.Add(std::move(*image));
-      bar.Show(++num_done, SteadySeconds() - start_s);
-    }
-    bar.Finish(SteadySeconds() - start_s);
-    out << drive.bag.string() << ": " << num_done << " images of " << drive.robot << ", "
-        << images.NumRefused() << " messages refused\n";
+Camera ReadCamera(const std::filesystem::path& path) {
+  return path.extension() == ".txt" ? ReadCalibrationText(path) : ReadCameraInfo(path);
+}
+
+// All bags are looked at before the first is mapped.
+std::vector<BagDrive> CheckDrives(const Arguments& arguments, size_t* num_images) {
+  const std::vector<std::filesystem::path> paths(arguments.bags.begin(), arguments.bags.end());
+  std::vector<BagDrive> drives = FindDrives(paths, arguments.topics);
+  for (BagDrive& drive : drives) {
+    if (!arguments.calibration_file.empty()) drive.camera = ReadCamera(arguments.calibration_file);
+    *num_images += BagImages(drive, arguments.sensors).Count();
   }
-  const std::shared_ptr<const MapSnapshot> snapshot = mapper.Finish();
-  out << mapper.mapper_counters().global_adjustments << " global adjustments\n";
-  TellStore(store.get(), out);
-  return snapshot;
+  return drives;
+}
+
+void MapDrive(const BagDrive& drive, const SensorOptions& sensors, OfflineMapper* mapper,
+              MapRun* run, std::ostream& out, std::ostream& progress) {
+  BagImages images(drive, sensors);
+  ProgressBar bar(images.Count(), &progress);
+  const double start_s = SteadySeconds();
+  mapper->StartDrive(drive.robot);
+  size_t num_done = 0;
+  while (!IsStopRequested()) {
+    std::optional<ImageEvent> image = images.Next();
+    if (!image) break;
+    mapper->Add(std::move(*image));
+    bar.Show(++num_done, SteadySeconds() - start_s);
+  }
+  bar.Finish(SteadySeconds() - start_s);
+  out << drive.bag.string() << ": " << num_done << " images of " << drive.robot << ", "
+      << images.NumRefused() << " messages refused\n";
+  if (images.NumRefused() > 0) {
+    CountReason("message of " + drive.bag.string(), &run->left_out, images.NumRefused());
+  }
+  if (!images.MissingHead().empty()) run->missing_head = images.MissingHead();
+}
+
+// What becomes unreadable once others are mapped costs no more than itself.
+void MapDrives(const std::vector<BagDrive>& drives, const SensorOptions& sensors,
+               OfflineMapper* mapper, MapRun* run, std::ostream& out, std::ostream& progress) {
+  for (const BagDrive& drive : drives) {
+    if (IsStopRequested()) return;
+    try {
+      MapDrive(drive, sensors, mapper, run, out, progress);
+    } catch (const std::exception& error) {
+      out << "warning: " << drive.bag.string() << ": read no further: " << error.what() << "\n";
+      CountReason("bag read no further: " + std::string(error.what()), &run->left_out);
+    }
+  }
+}
+
+nlohmann::ordered_json HeaderOf(const Arguments& arguments) {
+  nlohmann::ordered_json header;
+  header["bags"] = arguments.bags;
+  header["options"] = {{"mode", arguments.mode},
+                       {"features", arguments.mapper.frontend.extract.max_features},
+                       {"threads", arguments.mapper.num_threads},
+                       {"seed", arguments.mapper.seed}};
+  return header;
+}
+
+int MapBags(const std::vector<BagDrive>& drives, size_t num_images, const Arguments& arguments,
+            std::ostream& out, std::ostream& progress) {
+  RunToFinish finish;
+  finish.start_ns = SteadyNs();
+  StageTimes times(SteadyNs);
+  const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
+  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), &times,
+                       store ? &store->store() : nullptr);
+  finish.run.num_images = num_images;
+  MapDrives(drives, arguments.sensors, &mapper, &finish.run, out, progress);
+  finish.arguments = &arguments;
+  finish.mapper = &mapper;
+  finish.times = &times;
+  finish.store = store.get();
+  return FinishRun(std::move(finish), HeaderOf(arguments), out);
 }
 
 }  // namespace
@@ -86,20 +153,19 @@ int ReplayCommand(int argc, const char* const* argv, std::ostream& out, std::ost
   CLI::App app("Maps bags of image_raw/compressed, camera_info, odom and tf, without a ROS master");
   Arguments arguments;
   Declare(&arguments, &app);
+  app.get_option("--out")->required(false);
   if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
   cv::setNumThreads(1);  // the threads are ours
   CompleteOptions(&arguments);
-  PrepareResultFolder(arguments, "cloud.ply");
-  const std::shared_ptr<const MapSnapshot> snapshot = MapBags(arguments, out, progress);
-  const std::optional<LevelMap> map = FindLargestMap(*snapshot);
-  if (!map) throw std::runtime_error("no session could start: nothing to write");
-  const Overwrite overwrite = MayReplaceResults(arguments);
-  out << snapshot->sessions.size() << " sessions; " << PosedImages(*map).size()
-      << " images posed in the largest map, in " << (map->scale ? "metres" : "map units") << "\n";
-  for (const auto& path : WriteMapFiles(*map, arguments.out, overwrite)) {
-    out << "wrote " << path.string() << "\n";
+  if (arguments.out.empty()) {
+    arguments.out = NodeOutputFolder("--out", "", CurrentOutputPlace()).string();
   }
-  return 0;
+  RefuseOlderResults(arguments);
+  size_t num_images = 0;
+  const std::vector<BagDrive> drives = CheckDrives(arguments, &num_images);
+  PrepareMapFolder(arguments, num_images);
+  out << "results go to " << std::filesystem::absolute(arguments.out).string() << "\n";
+  return MapBags(drives, num_images, arguments, out, progress);
 }
 
 }  // namespace rovio_sfm

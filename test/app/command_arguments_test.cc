@@ -7,8 +7,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "util/temporary_folder.h"
-
 namespace rovio_sfm {
 namespace {
 
@@ -52,17 +50,6 @@ TEST(CompleteMappingArguments, RefusesWhatIsOutOfRange) {
   MappingArguments arguments;
   ASSERT_FALSE(Parse({"--out", "x", "--features", "0"}, &arguments));
   EXPECT_THROW(CompleteMappingArguments(&arguments), std::runtime_error);
-}
-
-TEST(PrepareResultFolder, GuardsAnEarlierResult) {
-  const TemporaryFolder folder;
-  MappingArguments arguments;
-  arguments.out = folder.Path() / "new";
-  PrepareResultFolder(arguments, "cloud.ply");
-  folder.Write("new/cloud.ply", "");
-  EXPECT_THROW(PrepareResultFolder(arguments, "cloud.ply"), std::runtime_error);
-  arguments.overwrite = true;
-  EXPECT_NO_THROW(PrepareResultFolder(arguments, "cloud.ply"));
 }
 
 }  // namespace

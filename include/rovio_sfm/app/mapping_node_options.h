@@ -17,14 +17,15 @@ struct MappingNodeOptions {
   std::string output_dir;
   bool overwrite = false;
   double cloud_period_s = 1.0;
-  double drain_s = 10.0;
+  double drain_s = 5.0;
   double fetch_timeout_s = 5.0;
   double diagnostic_period = 1.0;
   MapOptions mapper;
 
   void DescribeOptions(OptionTable& table) {
     AddRobotNames(table, robots, "whose /<robot>/frames are mapped");
-    table.AddText("output_dir", output_dir, "of maps; empty: none written, export_map is refused");
+    table.AddText("output_dir", output_dir,
+                  "of maps, absolute or below ~; empty: a dated one in $ROS_HOME/rovio_sfm");
     table.AddFlag("overwrite", overwrite, "the map written at the end may replace an older one");
     table.AddNumber("cloud_period_s", cloud_period_s, 0.1, 60.0, "the cloud goes out no oftener");
     table.AddNumber("drain_s", drain_s, 0.0, 3600.0, "at the end, for frames that are queued");

@@ -24,6 +24,9 @@ class RobotSensors : public RobotKnowledge {
   bool AddOdometry(const nav_msgs::Odometry& message, std::string* error);
   bool AddCameraInfo(const sensor_msgs::CameraInfo& message, std::string* error);
 
+  // Known before any camera_info: from a file.
+  void SetCamera(const Camera& camera) { camera_ = camera; }
+
   bool HasCamera() const override { return camera_.has_value(); }
   bool HasOdometry() const override { return !odometry_.IsEmpty(); }
   bool OdometryCovers(const RawImage& image) const override;
