@@ -36,6 +36,14 @@ foreach(PROGRAM picture_cost many_merges long_drive)
                      LINKS rovio_app rovio_synthetic)
 endforeach()
 
+# Every program, started wrongly.
+if(ROVIO_WITH_ROS)
+  add_test(NAME program_refusals_test
+           COMMAND ${CATKIN_DEVEL_PREFIX}/env.sh
+                   ${PROJECT_SOURCE_DIR}/test/scripts/program_refusals_test.py
+                   ${CATKIN_DEVEL_PREFIX}/lib/${PROJECT_NAME})
+endif()
+
 # The nodes, each against its neighbours over a real master: test/ros/*.test. Wiring only.
 if(ROVIO_WITH_ROS)
   find_package(rostest REQUIRED)

@@ -69,20 +69,6 @@ void CompleteMappingArguments(MappingArguments* arguments) {
   if (!IsValid(arguments->mapper, &error)) throw std::runtime_error(error);
 }
 
-void PrepareResultFolder(const MappingArguments& arguments, const std::string& file) {
-  if (arguments.mapper.localize) return;
-  std::vector<std::string> names = {file};
-  for (const MapFormat format : arguments.formats) names.push_back(MainPathOf(format));
-  for (const std::string& name : names) {
-    const std::filesystem::path path = std::filesystem::path(arguments.out) / name;
-    if (!arguments.overwrite && !arguments.resume && std::filesystem::exists(path)) {
-      throw std::runtime_error(
-          path.string() + " exists; give --resume to go on with it, --overwrite to replace it");
-    }
-  }
-  std::filesystem::create_directories(arguments.out);
-}
-
 std::unique_ptr<StoreFolder> OpenResultStore(const MappingArguments& arguments) {
   if (!arguments.store) return nullptr;
   ExistingStore existing = ExistingStore::kRefuse;

@@ -25,6 +25,20 @@ const FrameSnapshot* FindAnchorFrame(const SessionSnapshot& session, const Odome
   return FindFrame(session, anchor.index);
 }
 
+std::vector<std::string> WhyNotMetric(const MapPicture& picture) {
+  std::set<std::string> posed, metric;
+  for (const SessionSnapshot& session : picture.snapshot->sessions) {
+    if (!session.frames.empty()) posed.insert(session.drive.robot);
+    if (session.scale) metric.insert(session.drive.robot);
+  }
+  std::vector<std::string> sentences;
+  for (const auto& [robot, counts] : picture.motion) {
+    if (posed.count(robot) == 0 || metric.count(robot) > 0) continue;
+    sentences.push_back(robot + ": " + WhyNoScale(counts));
+  }
+  return sentences;
+}
+
 MappingEngine::MappingEngine(const MapOptions& options, std::unique_ptr<StoreFolder> store)
     : options_(options),
       store_(std::move(store)),
@@ -67,6 +81,7 @@ MapperReport MappingEngine::Add(const FrameEvent& event) {
   if (!EnterDrive(event.id.drive, &report.reason)) return report;
   next_indices_[event.id.drive] = event.id.index + 1;
   report = state_->mapper.Add(event);
+  CountMotion(event, &motion_[event.id.drive.robot]);
   const bool is_registered =
       report.outcome == MapperOutcome::kKeyframe || report.outcome == MapperOutcome::kLight;
   if (is_registered) {
@@ -226,6 +241,7 @@ void MappingEngine::Show() {
   picture.epoch = epoch_;
   picture.snapshot = state_->mapper.Snapshot();
   picture.anchors = anchors_;
+  picture.motion = motion_;
   picture.counters = state_->mapper.counters();
   picture.num_events = num_events_;
   std::vector<MergeReport> merges = state_->mapper.MergeReports();

@@ -22,6 +22,12 @@ void Add(const FrontendCounters& more, FrontendCounters* sum) {
   sum->light_frames += more.light_frames;
   sum->drives += more.drives;
   sum->links += more.links;
+  sum->track_matches += more.track_matches;
+  sum->refused_f1 += more.refused_f1;
+}
+
+uint64_t NumDropped(const FrontendCounters& counters) {
+  return counters.refused + counters.spoilt + counters.featureless + counters.untracked;
 }
 
 }  // namespace
@@ -89,10 +95,15 @@ void OfflineMapper::Add(ImageEvent image) {
 
 void OfflineMapper::TakeOldest() {
   const PreparedImage image = prepared_.TakeNext();
+  const uint64_t num_dropped = NumDropped(frontend_->counters());
   std::optional<FrameEvent> event = frontend_->Add(image);
+  if (NumDropped(frontend_->counters()) > num_dropped) {
+    CountReason(frontend_->last_refusal(), &dropped_);
+  }
   if (!event) return;
   event->id.drive = KeptName(event->id.drive);
   AddToFunnel(*event, &funnel_);
+  CountMotion(*event, &motion_);
   if (mapping_) {
     mapping_->Push(std::move(*event));
   } else {
@@ -110,7 +121,11 @@ void OfflineMapper::Map(const FrameEvent& event) {
   if (localizer_) return Localize(event);
   const auto kept = kept_before_.find(event.id.drive);
   if (kept != kept_before_.end() && event.id.index < kept->second) return;
-  mapper_.Add(event);
+  const MapperReport report = mapper_.Add(event);
+  landmarks_.created += report.num_created;
+  landmarks_.united += report.num_united;
+  landmarks_.pruned_observations += report.num_pruned;
+  if (report.outcome == MapperOutcome::kRefused) CountReason("frame: " + report.reason, &refused_);
   if (recognizer_) {
     for (const PlaceMatch& match : recognizer_->Add(event)) mapper_.Add(match);
   }
@@ -159,10 +174,22 @@ void OfflineMapper::FinishDrive() {
   frontend_.reset();
 }
 
-std::shared_ptr<const MapSnapshot> OfflineMapper::Finish() {
+ReasonCounts OfflineMapper::reasons() const {
+  ReasonCounts all = dropped_;
+  AddReasons(refused_, &all);
+  return all;
+}
+
+std::shared_ptr<const MapSnapshot> OfflineMapper::Drain() {
   FinishDrive();
   if (mapping_) mapping_->Finish();
-  if (localizer_) return mapper_.Snapshot();
+  if (kept_ != nullptr && !localizer_) mapper_.SaveTo(kept_);
+  return mapper_.Snapshot();
+}
+
+std::shared_ptr<const MapSnapshot> OfflineMapper::Finish() {
+  const std::shared_ptr<const MapSnapshot> drained = Drain();
+  if (localizer_) return drained;
   if (options_.seeded) MapSeeded();
   mapper_.Finish();
   if (kept_ != nullptr) mapper_.SaveTo(kept_);

@@ -167,6 +167,8 @@ void Frontend::LinkTracks(FrameEvent* event) {
   event->tracks = std::move(update.tracks);
   for (const auto& [a, b] : update.links) event->links.push_back({a, b});
   counters_.links += event->links.size();
+  for (const PairMatches& pair : event->pairs) counters_.track_matches += pair.inliers.size();
+  counters_.refused_f1 += update.counts.refused_f1;
 }
 
 void Frontend::Remember(const RecentKeyframe& keyframe) {

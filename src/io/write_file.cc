@@ -3,7 +3,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <stdexcept>
 
@@ -58,6 +60,12 @@ class SystemFileLayer final : public FileLayer {
   }
 };
 
+// A file of its own for every call, of every process.
+std::filesystem::path TemporaryBeside(const std::filesystem::path& path) {
+  static std::atomic<uint64_t> num_calls{0};
+  return path.string() + ".tmp" + std::to_string(::getpid()) + "_" + std::to_string(++num_calls);
+}
+
 // Gives the temporary file its name; without overwrite, an existing one is refused atomically.
 void Publish(const std::filesystem::path& temporary, const std::filesystem::path& path,
              Overwrite overwrite, FileLayer& files) {
@@ -79,7 +87,7 @@ void WriteFile(const std::filesystem::path& path, const std::string& content, Ov
   if (overwrite == Overwrite::kRefuse && files.Exists(path)) {
     Fail(path, "not overwritten", EEXIST);
   }
-  const std::filesystem::path temporary = path.string() + ".tmp" + std::to_string(::getpid());
+  const std::filesystem::path temporary = TemporaryBeside(path);
   try {
     files.WriteAndSync(temporary, content);
     Publish(temporary, path, overwrite, files);

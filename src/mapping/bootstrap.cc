@@ -12,6 +12,7 @@ namespace rovio_sfm {
 namespace {
 
 constexpr int kMinSamples = 500;
+constexpr size_t kMaxOfBest = 20;       // frames of which all pairs are tested at a drive's end
 constexpr size_t kMaxFirstFrames = 10;  // tested per new frame, spread evenly over those held
 
 std::vector<Eigen::Vector2d> PointsOf(const FrameEvent& event) {
@@ -85,6 +86,16 @@ std::optional<BootstrapPair> TestPair(const std::deque<FrameEvent>& held, size_t
   return BootstrapPair{first, second, pair.cam_b_from_cam_a, angle, pair.inliers.size()};
 }
 
+// At most so many of the numbers below count, the first and the last among them.
+std::vector<size_t> SpreadEvenly(size_t count, size_t max) {
+  std::vector<size_t> numbers;
+  const size_t num = std::min(count, max);
+  for (size_t i = 0; i < num; ++i) {
+    numbers.push_back(num == count ? i : i * (count - 1) / (max - 1));
+  }
+  return numbers;
+}
+
 }  // namespace
 
 std::optional<BootstrapPair> FindBootstrapPair(const std::deque<FrameEvent>& held,
@@ -104,10 +115,11 @@ std::optional<BootstrapPair> FindBootstrapPair(const std::deque<FrameEvent>& hel
 std::optional<BootstrapPair> FindBestBootstrapPair(const std::deque<FrameEvent>& held,
                                                    const Session& aliases,
                                                    const BootstrapOptions& options, uint64_t seed) {
+  const std::vector<size_t> frames = SpreadEvenly(held.size(), kMaxOfBest);
   std::optional<BootstrapPair> best;
-  for (size_t first = 0; first + 1 < held.size(); ++first) {
-    for (size_t second = held.size() - 1; second > first; --second) {
-      const auto pair = TestPair(held, first, second, aliases, options, seed);
+  for (auto first = frames.begin(); first != frames.end(); ++first) {
+    for (auto second = frames.end() - 1; second > first; --second) {
+      const auto pair = TestPair(held, *first, *second, aliases, options, seed);
       if (!pair) continue;
       if (!best || pair->angle_rad > best->angle_rad) best = pair;
       break;

@@ -1,20 +1,34 @@
-#include <ros/ros.h>
+#include <ros/console.h>
 
-#include <exception>
+#include <filesystem>
+#include <system_error>
 
+#include "rovio_sfm/app/output_folder.h"
 #include "rovio_sfm/ros/mapping_node.h"
 #include "rovio_sfm/ros/run_node.h"
 
+namespace rovio_sfm {
+namespace {
+
+constexpr uintmax_t kLeastFreeBytes = 10u << 20;
+
+int Map(ros::NodeHandle node, ros::NodeHandle private_node) {
+  MappingNodeOptions options = LoadMappingNodeOptions(ParametersOf(private_node));
+  options.output_dir =
+      NodeOutputFolder("output_dir", options.output_dir, CurrentOutputPlace()).string();
+  RequireWritableFolder(options.output_dir, kLeastFreeBytes);
+  ROS_INFO_STREAM("maps go to " << options.output_dir);
+  MappingNode mapping(options, node, private_node);
+  SpinUntilStopped([&] { mapping.Tick(); });
+  const bool is_written = mapping.End();
+  std::error_code ignored;
+  std::filesystem::remove(options.output_dir, ignored);  // where nothing was written into it
+  return is_written ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace rovio_sfm
+
 int main(int argc, char** argv) {
-  rovio_sfm::InitNode(argc, argv, "mapping");
-  try {
-    ros::NodeHandle node, private_node("~");
-    const auto options = rovio_sfm::LoadMappingNodeOptions(rovio_sfm::ParametersOf(private_node));
-    rovio_sfm::MappingNode mapping(options, node, private_node);
-    rovio_sfm::SpinUntilStopped([&] { mapping.Tick(); });
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
-    return 1;
-  }
-  return 0;
+  return rovio_sfm::RunNode(argc, argv, "mapping", rovio_sfm::Map);
 }

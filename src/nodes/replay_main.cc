@@ -2,8 +2,10 @@
 #include <iostream>
 
 #include "rovio_sfm/ros/replay.h"
+#include "rovio_sfm/util/stop_signals.h"
 
 int main(int argc, char** argv) {
+  rovio_sfm::CatchStopSignals();
   try {
     return rovio_sfm::ReplayCommand(argc, argv, std::cout, std::cerr);
   } catch (const std::exception& error) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <unordered_map>
+#include <utility>
 
 namespace rovio_sfm {
 namespace {
@@ -17,6 +18,14 @@ size_t NumRegistered(const SessionSnapshot& session) {
     for (const FrameSnapshot& frame : *block) count += frame.weak ? 0 : 1;
   }
   return count;
+}
+
+std::map<MapId, size_t> NumRegisteredByMap(const MapSnapshot& snapshot) {
+  std::map<MapId, size_t> num_registered;
+  for (const SessionSnapshot& session : snapshot.sessions) {
+    num_registered[session.map] += NumRegistered(session);
+  }
+  return num_registered;
 }
 
 void AddViews(const LandmarkSnapshot& more, LandmarkSnapshot* landmark) {
@@ -48,15 +57,25 @@ std::optional<LevelMap> FindLevelMap(const MapSnapshot& snapshot, MapId id) {
 }
 
 std::optional<LevelMap> FindLargestMap(const MapSnapshot& snapshot) {
-  std::map<MapId, size_t> num_registered;
-  for (const SessionSnapshot& session : snapshot.sessions) {
-    num_registered[session.map] += NumRegistered(session);
-  }
+  const std::map<MapId, size_t> num_registered = NumRegisteredByMap(snapshot);
   const auto largest =
       std::max_element(num_registered.begin(), num_registered.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
   if (largest == num_registered.end()) return std::nullopt;
   return FindLevelMap(snapshot, largest->first);
+}
+
+std::vector<LevelMap> FindMapsBySize(const MapSnapshot& snapshot) {
+  const std::map<MapId, size_t> num_registered = NumRegisteredByMap(snapshot);
+  std::vector<std::pair<MapId, size_t>> sizes(num_registered.begin(), num_registered.end());
+  std::stable_sort(sizes.begin(), sizes.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::vector<LevelMap> maps;
+  for (const auto& [id, size] : sizes) {
+    if (size == 0) continue;
+    if (auto map = FindLevelMap(snapshot, id)) maps.push_back(std::move(*map));
+  }
+  return maps;
 }
 
 std::vector<PosedImage> PosedImages(const LevelMap& map) {

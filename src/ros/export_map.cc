@@ -18,6 +18,13 @@ bool IsFolderName(const std::string& name) {
   return is_plain && name.size() <= 64 && (name.empty() || name.front() != '.');
 }
 
+// Where links in the folder lead elsewhere, nothing is written.
+bool StaysInside(const std::filesystem::path& folder, const std::filesystem::path& output_dir) {
+  const std::filesystem::path inside = std::filesystem::weakly_canonical(folder).lexically_relative(
+      std::filesystem::weakly_canonical(output_dir));
+  return !inside.empty() && *inside.begin() != "..";
+}
+
 // False, and the status says which file stands there.
 bool MayWrite(const std::filesystem::path& folder, const MapFormats& formats, bool overwrite,
               Status* status) {
@@ -81,6 +88,11 @@ ExportMapResponse ExportMapFiles(const MapSnapshot& snapshot, const MapSource& s
     return response;
   }
   const auto folder = std::filesystem::path(output_dir) / request.name;
+  if (!StaysInside(folder, output_dir)) {
+    response.status =
+        InvalidArgument("name: " + folder.string() + " is a link that leads out of " + output_dir);
+    return response;
+  }
   if (!MayWrite(folder, formats, request.overwrite, &response.status)) return response;
   try {
     const Overwrite overwrite = request.overwrite ? Overwrite::kAllow : Overwrite::kRefuse;

@@ -75,10 +75,9 @@ void FrontendNode::OnImage(const boost::shared_ptr<const Message>& message) {
   std::string error = "header.stamp is zero: expected the time when it was taken";
   ImageBytes bytes = header.stamp.isZero() ? nullptr : BytesOf(*message, &error);
   if (bytes == nullptr) {
-    ++num_malformed_;
-    ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "image refused: " << error);
-    return;
+    return CountMalformed("image refused: " + error);
   }
+  has_image_ = true;
   gate_.Add(
       {ToNanoseconds(header.stamp), header.frame_id, std::to_string(header.seq), std::move(bytes)},
       SteadySeconds());
@@ -87,17 +86,12 @@ void FrontendNode::OnImage(const boost::shared_ptr<const Message>& message) {
 
 void FrontendNode::OnCameraInfo(const sensor_msgs::CameraInfo::ConstPtr& message) {
   std::string error;
-  if (sensors_.AddCameraInfo(*message, &error)) return;
-  ++num_malformed_;
-  ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "camera_info refused: " << error);
+  if (!sensors_.AddCameraInfo(*message, &error)) CountMalformed("camera_info refused: " + error);
 }
 
 void FrontendNode::OnOdometry(const nav_msgs::Odometry::ConstPtr& message) {
   std::string error;
-  if (!sensors_.AddOdometry(*message, &error)) {
-    ++num_malformed_;
-    ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "odometry refused: " << error);
-  }
+  if (!sensors_.AddOdometry(*message, &error)) CountMalformed("odometry refused: " + error);
   ReleaseImages();
 }
 
@@ -113,8 +107,29 @@ void FrontendNode::OnThresholds(FrontendThresholdsConfig& thresholds, uint32_t l
   ROS_INFO("new thresholds from the next image on");
 }
 
+void FrontendNode::CountMalformed(const std::string& reason) {
+  ++num_malformed_;
+  newest_malformed_ = reason;
+  ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, reason);
+}
+
+std::vector<AwaitedTopic> FrontendNode::Awaited() const {
+  std::vector<AwaitedTopic> awaited;
+  if (!has_image_) {
+    const char* name = options_.compressed ? topics::kImageCompressed : topics::kImageRaw;
+    awaited.push_back(
+        {"images", node_.resolveName(name), {"sensor_msgs/Image", "sensor_msgs/CompressedImage"}});
+  }
+  if (!sensors_.HasCamera()) {
+    awaited.push_back(
+        {"camera_info", node_.resolveName(topics::kCameraInfo), {"sensor_msgs/CameraInfo"}});
+  }
+  return awaited;
+}
+
 void FrontendNode::Tick() {
   subscribers_.Search();
+  hints_.Look(Awaited(), SteadySeconds());
   ReleaseImages();
   pace_.Tick();
 }
@@ -137,7 +152,9 @@ void FrontendNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status)
     progress = progress_;
   }
   using Level = diagnostic_msgs::DiagnosticStatus;
-  if (progress.counters.images == 0) {
+  if (progress.counters.images == 0 && !newest_malformed_.empty()) {
+    status.summary(Level::WARN, newest_malformed_);
+  } else if (progress.counters.images == 0) {
     const char* reason = sensors_.HasCamera() ? "no images yet" : "no images or camera_info yet";
     status.summary(Level::WARN, reason);
   } else if (!progress.last_refusal.empty()) {
@@ -156,6 +173,7 @@ void FrontendNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status)
   status.add("images without features", progress.counters.featureless);
   status.add("images lost by the tracker", progress.counters.untracked);
   status.add("malformed messages", num_malformed_);
+  status.add("newest malformed message", newest_malformed_);
   status.add("drives", progress.counters.drives);
   status.add("last image took ms", 1e3 * progress.last_duration_s);
 }

@@ -13,16 +13,19 @@
 #include <stdexcept>
 
 #include "rovio_sfm/app/command_arguments.h"
+#include "rovio_sfm/app/output_folder.h"
 #include "rovio_sfm/io/odometry_file.h"
 #include "rovio_sfm/io/text_file.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/stop_signals.h"
 
 namespace rovio_sfm {
 namespace {
 
 constexpr int64_t kFirstStampNs = 1;
 constexpr uintmax_t kMaxImageBytes = 64u << 20;
+constexpr uintmax_t kBytesBesideImage = 4096;  // camera_info, tf, odometry, index
 
 // ROS takes zero for no stamp, and none before it: what begins at zero begins a nanosecond later.
 int64_t RosStamp(int64_t stamp_ns) {
@@ -103,39 +106,59 @@ std::vector<StampedOdometry> ReadAllOdometry(const std::filesystem::path& folder
   return std::filesystem::exists(file) ? ReadOdometry(file) : std::vector<StampedOdometry>{};
 }
 
-// Images and odometry by rising stamp; odometry first where both are equal.
-void WriteInOrder(const DatasetFolder& dataset, BagWriter* writer) {
+// Images and odometry by rising stamp; odometry first where both are equal. The number of images
+// written; fewer where a signal came.
+size_t WriteInOrder(const DatasetFolder& dataset, BagWriter* writer) {
   const std::vector<StampedOdometry> odometry = ReadAllOdometry(dataset.path);
   auto next = odometry.begin();
+  size_t num_written = 0;
   for (const DatasetImage& image : dataset.images) {
+    if (IsStopRequested()) return num_written;
     for (; next != odometry.end() && next->stamp_ns <= image.stamp_ns; ++next) {
       writer->WriteOdometry(*next);
     }
     writer->WriteImage(image, dataset.camera);
+    ++num_written;
   }
   for (; next != odometry.end(); ++next) writer->WriteOdometry(*next);
+  return num_written;
+}
+
+uintmax_t SizeOfImages(const DatasetFolder& dataset) {
+  uintmax_t size = 0;
+  for (const DatasetImage& image : dataset.images) size += std::filesystem::file_size(image.path);
+  return size;
+}
+
+void RequireRoomForBag(const DatasetFolder& dataset, const std::filesystem::path& bag) {
+  const std::filesystem::path folder = std::filesystem::absolute(bag).parent_path();
+  RequireWritableFolder(folder, SizeOfImages(dataset) + dataset.images.size() * kBytesBesideImage);
 }
 
 }  // namespace
 
-void WriteBag(const DatasetFolder& dataset, const std::string& robot,
-              const std::filesystem::path& bag_path, bool overwrite) {
+size_t WriteBag(const DatasetFolder& dataset, const std::string& robot,
+                const std::filesystem::path& bag_path, bool overwrite) {
   std::string error;
   if (!IsValidRobotName(robot, &error)) throw std::runtime_error(error);
   if (!overwrite && std::filesystem::exists(bag_path)) {
     throw std::runtime_error(bag_path.string() + ": exists already (--overwrite replaces it)");
   }
+  RequireRoomForBag(dataset, bag_path);
   const std::filesystem::path unfinished = bag_path.string() + ".active";
+  size_t num_written = 0;
   errno = 0;
   try {
     BagWriter writer(robot, unfinished);
-    WriteInOrder(dataset, &writer);
+    num_written = WriteInOrder(dataset, &writer);
+    const HoldSecondStop hold;
     writer.Close();
+    std::filesystem::rename(unfinished, bag_path);
   } catch (const rosbag::BagException& error) {
-    throw std::runtime_error(bag_path.string() + ": " + error.what() +
+    throw std::runtime_error(bag_path.string() + ": not written: " + error.what() +
                              (errno == 0 ? "" : std::string(" (") + std::strerror(errno) + ")"));
   }
-  std::filesystem::rename(unfinished, bag_path);
+  return num_written;
 }
 
 int ImagesToBagCommand(int argc, const char* const* argv, std::ostream& out) {
@@ -152,9 +175,12 @@ int ImagesToBagCommand(int argc, const char* const* argv, std::ostream& out) {
   if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
   DatasetFolder dataset = EveryNth(ReadDatasetFolder(folder), stride);
   if (max_images > 0 && dataset.images.size() > max_images) dataset.images.resize(max_images);
-  WriteBag(dataset, robot, bag, overwrite);
-  out << dataset.images.size() << " images in " << std::filesystem::absolute(bag).string() << "\n";
-  return 0;
+  const size_t num_written = WriteBag(dataset, robot, bag, overwrite);
+  out << num_written << " images in " << std::filesystem::absolute(bag).string() << "\n";
+  if (!IsStopRequested()) return 0;
+  out << "stopped by a signal: " << num_written << " of " << dataset.images.size()
+      << " images are in the bag\n";
+  return StatusOfStop();
 }
 
 }  // namespace rovio_sfm

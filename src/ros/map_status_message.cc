@@ -76,6 +76,7 @@ std::optional<MapStatus> MapStatusWriter::Write(const MapPicture& picture,
   status.num_localized = static_cast<uint32_t>(picture.num_localized);
   status.num_not_localized = static_cast<uint32_t>(picture.num_not_localized);
   status.store_error = picture.store_error;
+  status.why_not_metric = WhyNotMetric(picture);
   AddCounters(picture, counters, &status);
   AddMerges(*picture.merges, &status);
   return status;

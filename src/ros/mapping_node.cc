@@ -1,10 +1,11 @@
 #include "rovio_sfm/ros/mapping_node.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
+#include "rovio_sfm/app/wait_for_end.h"
 #include "rovio_sfm/ros/conversions.h"
-#include "rovio_sfm/ros/export_map.h"
 #include "rovio_sfm/ros/place_match_message.h"
 #include "rovio_sfm/ros/topics.h"
 #include "rovio_sfm/util/steady_clock.h"
@@ -66,6 +67,7 @@ MappingNode::MappingNode(const MappingNodeOptions& options, ros::NodeHandle node
     : options_(options),
       node_(node),
       engine_(options.mapper, OpenStore(options)),
+      maps_(options.output_dir, options.overwrite),
       publisher_(node, options.cloud_period_s),
       history_(kHistoryEvents, kHistoryBytes),
       fetcher_(node,
@@ -116,19 +118,40 @@ void MappingNode::SaveNowAndThen(double now_s) {
   engine_.Save();
 }
 
-MappingNode::~MappingNode() {
+MappingNode::~MappingNode() { End(); }
+
+bool MappingNode::End() {
+  if (has_ended_) return maps_.IsWritten();
+  has_ended_ = true;
   frame_subscriber_.Stop();
   match_subscriber_.shutdown();
   ROS_INFO_STREAM("ending: " << worker_.NumQueued(kFrameLane) << " events are still queued");
+  maps_.Write(*engine_.Picture().snapshot);
+  Executor executor(1);
+  const auto ended = executor.Submit([this] { DrainAndAdjust(); }).share();
+  if (!EndsInTime(ended)) {
+    ROS_WARN("no time was left for the final adjustment; the maps are as they were written last");
+    maps_.Tell();
+    std::_Exit(maps_.IsWritten() ? 0 : 1);
+  }
+  publisher_.PublishMap(engine_.Picture(), Counters(), true);
+  maps_.Write(*engine_.Picture().snapshot);
+  maps_.Tell();
+  for (const std::string& why : WhyNotMetric(engine_.Picture())) {
+    ROS_WARN_STREAM("not metric: " << why);
+  }
+  return maps_.IsWritten();
+}
+
+void MappingNode::DrainAndAdjust() {
   give_up_s_ = SteadySeconds() + options_.drain_s;
   fetcher_.Stop();
   service_spinner_.stop();
   worker_.Finish();
   gap_filler_.EndAllWaits(SteadySeconds());
   if (num_late_events_ > 0) ROS_WARN_STREAM(num_late_events_ << " queued events were not mapped");
+  maps_.Write(*engine_.Picture().snapshot);
   engine_.Finish();
-  publisher_.PublishMap(engine_.Picture(), Counters(), true);
-  if (!options_.output_dir.empty() && !options_.localize) WriteFinalMap();
 }
 
 void MappingNode::OnFrame(const FrameEventMsg::ConstPtr& message, FrameEvent event) {
@@ -184,6 +207,18 @@ ArrivedFrame MappingNode::Arrived(const FrameEventMsg::ConstPtr& message, const 
 void MappingNode::CountGaps() {
   num_lost_gaps_ = gap_filler_.num_given_up();
   num_held_ = gap_filler_.NumHeld();
+}
+
+void MappingNode::Tick() {
+  std::vector<AwaitedTopic> awaited;
+  if (engine_.Picture().num_events == 0) {
+    for (const std::string& robot : options_.robots) {
+      awaited.push_back(
+          {"frames", "/" + robot + "/" + topics::kFrames, {"rovio_sfm/FrameEventMsg"}});
+    }
+  }
+  hints_.Look(awaited, SteadySeconds());
+  diagnostics_.update();
 }
 
 bool MappingNode::IsTimeUp() const { return give_up_s_ > 0.0 && SteadySeconds() > give_up_s_; }
@@ -253,22 +288,6 @@ void MappingNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) 
   status.add("sessions lost", picture.counters.lost_sessions);
   status.add("keyframes", picture.counters.keyframes);
   status.add("light frames", picture.counters.light_frames);
-}
-
-void MappingNode::WriteFinalMap() const {
-  ExportMapRequest request;
-  request.overwrite = options_.overwrite;
-  ExportMapResponse response =
-      ExportMapFiles(*engine_.Picture().snapshot, {}, options_.output_dir, request);
-  for (int i = 1; response.status.code == Status::ALREADY_EXISTS; ++i) {
-    request.name = "map_" + std::to_string(i);  // an older map is never replaced unasked
-    response = ExportMapFiles(*engine_.Picture().snapshot, {}, options_.output_dir, request);
-  }
-  if (response.status.code == Status::OK) {
-    for (const std::string& file : response.files) ROS_INFO_STREAM("wrote " << file);
-  } else {
-    ROS_ERROR_STREAM("map not written: " << response.status.message);
-  }
 }
 
 }  // namespace rovio_sfm

@@ -5,20 +5,23 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
-#include <optional>
 #include <ostream>
 #include <stdexcept>
+#include <utility>
 
 #include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/app/load_options.h"
+#include "rovio_sfm/app/output_folder.h"
 #include "rovio_sfm/app/place_model_option.h"
 #include "rovio_sfm/app/progress_bar.h"
-#include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/io/calibration.h"
 #include "rovio_sfm/ros/bag_images.h"
 #include "rovio_sfm/ros/bag_pictures.h"
+#include "rovio_sfm/tools/finish_run.h"
 #include "rovio_sfm/util/steady_clock.h"
+#include "rovio_sfm/util/stop_signals.h"
 
 namespace rovio_sfm {
 namespace {
@@ -41,14 +44,14 @@ void Declare(Arguments* arguments, CLI::App* app) {
   app->add_option("--odom-latency", arguments->sensors.odom_latency_s,
                   "so was an odometry sample, s");
   app->add_option("--base-frame", arguments->sensors.base_frame,
-                  "tf frame of the robot's body; <robot>/base_link if not given");
+                  "tf frame of the body; without: <robot>/base_link");
   app->add_option("--image-topic", arguments->topics.image,
-                  "the images to map; /<robot>/image_raw[/compressed] of all robots if not given");
+                  "images; without: /<robot>/image_raw/compressed or /<robot>/image_raw");
   app->add_option("--camera-info-topic", arguments->topics.camera_info,
-                  "camera_info beside the images if not given");
-  app->add_option("--odom-topic", arguments->topics.odom, "/<robot>/odom if not given");
+                  "without: beside the images");
+  app->add_option("--odom-topic", arguments->topics.odom, "without: /<robot>/odom");
   app->add_option("--calibration", arguments->calibration_file,
-                  "instead of camera_info: calibration.txt, or camera_info as .yaml");
+                  "camera_info YAML or calibration.txt, instead of a camera_info topic");
   app->add_option("--stamps", arguments->topics.stamps,
                   "header: messages count as of their header's stamp; bag: as of when they were "
                   "recorded")
@@ -59,19 +62,7 @@ void Declare(Arguments* arguments, CLI::App* app) {
 
 std::optional<Camera> ReadCalibration(const std::filesystem::path& path) {
   if (path.empty()) return std::nullopt;
-  const bool is_yaml = path.extension() == ".yaml" || path.extension() == ".yml";
-  return is_yaml ? ReadCameraInfo(path) : ReadCalibrationText(path);
-}
-
-// What a reader of the result should know of its drive.
-void TellDrive(const BagDrive& drive, const BagImages& images, std::ostream& out) {
-  if (images.NumMapEdges() > 0) {
-    out << images.NumMapEdges() << " transforms of the map that was made while recording "
-        << drive.bag.string() << " left out\n";
-  }
-  if (const auto reason = images.WhyNotMetric()) {
-    out << drive.robot << ": not in metres: " << *reason << "\n";
-  }
+  return path.extension() == ".txt" ? ReadCalibrationText(path) : ReadCameraInfo(path);
 }
 
 template <typename Options>
@@ -93,30 +84,91 @@ void CompleteOptions(Arguments* arguments) {
   arguments->camera = ReadCalibration(arguments->calibration_file);
 }
 
-std::shared_ptr<const MapSnapshot> MapBags(const std::vector<BagDrive>& drives,
-                                           const Arguments& arguments, OfflineMapper* mapper,
-                                           std::ostream& out, std::ostream& progress) {
+// What a reader of the result should know of its drive.
+void TellDrive(const BagDrive& drive, const BagImages& images, std::ostream& out) {
+  if (images.NumMapEdges() > 0) {
+    out << images.NumMapEdges() << " transforms of the map that was made while recording "
+        << drive.bag.string() << " left out\n";
+  }
+  if (const auto reason = images.WhyNotMetric()) {
+    out << drive.robot << ": not in metres: " << *reason << "\n";
+  }
+}
+
+// All bags are looked at before the first is mapped.
+std::vector<BagDrive> CheckDrives(const Arguments& arguments, size_t* num_images) {
+  const std::vector<std::filesystem::path> paths(arguments.bags.begin(), arguments.bags.end());
+  std::vector<BagDrive> drives = FindDrives(paths, arguments.topics);
   for (const BagDrive& drive : drives) {
-    BagImages images(drive, arguments.sensors, arguments.camera);
-    ProgressBar bar(images.Count(), &progress);
-    const double start_s = SteadySeconds();
-    mapper->StartDrive(drive.robot);
-    size_t num_done = 0;
-    while (std::optional<ImageEvent> image = images.Next()) {
-      mapper->Add(std::move(*image));
-      bar.Show(++num_done, SteadySeconds() - start_s);
-    }
-    bar.Finish(SteadySeconds() - start_s);
-    out << drive.bag.string() << ": " << num_done << " images of " << drive.robot << ", "
-        << images.NumRefused() << " messages refused\n";
-    TellDrive(drive, images, out);
-    for (const auto& [reason, count] : images.Refusals()) {
-      out << "  " << count << " x " << reason << "\n";
+    *num_images += BagImages(drive, arguments.sensors, arguments.camera).Count();
+  }
+  return drives;
+}
+
+void MapDrive(const BagDrive& drive, const Arguments& arguments, OfflineMapper* mapper, MapRun* run,
+              std::ostream& out, std::ostream& progress) {
+  BagImages images(drive, arguments.sensors, arguments.camera);
+  ProgressBar bar(images.Count(), &progress);
+  const double start_s = SteadySeconds();
+  mapper->StartDrive(drive.robot);
+  size_t num_done = 0;
+  while (!IsStopRequested()) {
+    std::optional<ImageEvent> image = images.Next();
+    if (!image) break;
+    mapper->Add(std::move(*image));
+    bar.Show(++num_done, SteadySeconds() - start_s);
+  }
+  bar.Finish(SteadySeconds() - start_s);
+  out << drive.bag.string() << ": " << num_done << " images of " << drive.robot << ", "
+      << images.NumRefused() << " messages refused\n";
+  for (const auto& [reason, count] : images.Refusals()) CountReason(reason, &run->left_out, count);
+  TellDrive(drive, images, out);
+  if (const auto why = images.WhyNotMetric()) run->missing_head = *why;
+}
+
+// What becomes unreadable once others are mapped costs no more than itself.
+void MapDrives(const std::vector<BagDrive>& drives, const Arguments& arguments,
+               OfflineMapper* mapper, MapRun* run, std::ostream& out, std::ostream& progress) {
+  for (const BagDrive& drive : drives) {
+    if (IsStopRequested()) return;
+    try {
+      MapDrive(drive, arguments, mapper, run, out, progress);
+    } catch (const std::exception& error) {
+      out << "warning: " << drive.bag.string() << ": read no further: " << error.what() << "\n";
+      CountReason("bag read no further: " + std::string(error.what()), &run->left_out);
     }
   }
-  const std::shared_ptr<const MapSnapshot> snapshot = mapper->Finish();
-  out << mapper->mapper_counters().global_adjustments << " global adjustments\n";
-  return snapshot;
+}
+
+nlohmann::ordered_json HeaderOf(const Arguments& arguments) {
+  nlohmann::ordered_json header;
+  header["bags"] = arguments.bags;
+  header["options"] = {{"mode", arguments.mode},
+                       {"features", arguments.mapper.frontend.extract.max_features},
+                       {"threads", arguments.mapper.num_threads},
+                       {"seed", arguments.mapper.seed}};
+  return header;
+}
+
+int MapBags(const std::vector<BagDrive>& drives, size_t num_images, const Arguments& arguments,
+            std::ostream& out, std::ostream& progress) {
+  RunToFinish finish;
+  finish.start_ns = SteadyNs();
+  StageTimes times(SteadyNs);
+  const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
+  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), &times,
+                       store ? &store->store() : nullptr);
+  finish.run.num_images = num_images;
+  MapDrives(drives, arguments, &mapper, &finish.run, out, progress);
+  BagPictures pictures(drives, arguments.sensors);
+  finish.pictures = [&](const ModelImage& image) {
+    return pictures.Find(image.id.drive.robot, image.stamp_ns);
+  };
+  finish.arguments = &arguments;
+  finish.mapper = &mapper;
+  finish.times = &times;
+  finish.store = store.get();
+  return FinishRun(std::move(finish), HeaderOf(arguments), out);
 }
 
 }  // namespace
@@ -125,28 +177,19 @@ int ReplayCommand(int argc, const char* const* argv, std::ostream& out, std::ost
   CLI::App app("Maps bags of image_raw/compressed, camera_info, odom and tf, without a ROS master");
   Arguments arguments;
   Declare(&arguments, &app);
+  app.get_option("--out")->required(false);
   if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
   cv::setNumThreads(1);  // the threads are ours
   CompleteOptions(&arguments);
-  PrepareResultFolder(arguments, "cloud.ply");
-  const std::vector<BagDrive> drives = FindDrives({arguments.bags.begin(), arguments.bags.end()}, arguments.topics);
-  const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
-  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), nullptr,
-                       store ? &store->store() : nullptr);
-  const auto snapshot = MapBags(drives, arguments, &mapper, out, progress);
-  TellStore(store.get(), out);
-  if (arguments.mapper.localize) return WriteLocalized(mapper, *snapshot, arguments, out);
-  const std::optional<LevelMap> map = FindLargestMap(*snapshot);
-  if (!map) throw std::runtime_error("no session could start: nothing to write");
-  const Overwrite overwrite = MayReplaceResults(arguments);
-  out << snapshot->sessions.size() << " sessions; " << PosedImages(*map).size()
-      << " images posed in the largest map, in " << (map->scale ? "metres" : "map units") << "\n";
-  BagPictures pictures(drives, arguments.sensors);
-  const MapSource source{
-      [&](const LevelMap& level_map) { return mapper.ModelOf(level_map); },
-      [&](const ModelImage& image) { return pictures.Find(image.id.drive.robot, image.stamp_ns); }};
-  PrintWritten(WriteMapFiles(*map, source, arguments.formats, arguments.out, overwrite), out);
-  return 0;
+  if (arguments.out.empty()) {
+    arguments.out = NodeOutputFolder("--out", "", CurrentOutputPlace()).string();
+  }
+  RefuseOlderResults(arguments);
+  size_t num_images = 0;
+  const std::vector<BagDrive> drives = CheckDrives(arguments, &num_images);
+  PrepareMapFolder(arguments, num_images);
+  out << "results go to " << std::filesystem::absolute(arguments.out).string() << "\n";
+  return MapBags(drives, num_images, arguments, out, progress);
 }
 
 }  // namespace rovio_sfm

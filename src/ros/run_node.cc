@@ -3,18 +3,18 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
-#include <csignal>
+#include <exception>
+#include <iostream>
 #include <opencv2/core.hpp>
 
 #include "rovio_sfm/ros/node_parameters.h"
 #include "rovio_sfm/util/log.h"
+#include "rovio_sfm/util/stop_signals.h"
 
 namespace rovio_sfm {
 namespace {
 
-volatile std::sig_atomic_t stop_requested = 0;  // the only thing a signal handler may write
-
-void RequestStop(int) { stop_requested = 1; }
+const ros::WallDuration kMasterPeriod(0.2);
 
 void ToRosconsole(LogLevel level, const std::string& message) {
   switch (level) {
@@ -33,14 +33,43 @@ void ToRosconsole(LogLevel level, const std::string& message) {
   }
 }
 
+// roscpp's own wait knows no signal.
+bool WaitForMaster() {
+  bool has_told = false;
+  while (!IsStopRequested()) {
+    if (ros::master::check()) return true;
+    if (!has_told) ROS_WARN_STREAM("waiting for the ROS master at " << ros::master::getURI());
+    has_told = true;
+    kMasterPeriod.sleep();
+  }
+  ROS_WARN("ended while waiting for the ROS master");
+  return false;
+}
+
+// The outer handles keep rosconsole alive until what went wrong is told.
+int RunBody(const NodeBody& body) {
+  const ros::NodeHandle node, private_node("~");
+  try {
+    return body(node, private_node);
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s", error.what());
+    return 1;
+  }
+}
+
 }  // namespace
 
-void InitNode(int argc, char** argv, const std::string& name) {
-  ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
-  std::signal(SIGINT, RequestStop);
-  std::signal(SIGTERM, RequestStop);
-  SetLogSink(ToRosconsole);
-  cv::setNumThreads(1);
+int RunNode(int argc, char** argv, const std::string& name, const NodeBody& body) {
+  try {
+    ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+    CatchStopSignals();
+    SetLogSink(ToRosconsole);
+    cv::setNumThreads(1);
+    return WaitForMaster() ? RunBody(body) : StatusOfStop();
+  } catch (const std::exception& error) {  // a name or a remapping that ROS does not bear
+    std::cerr << name << ": " << error.what() << "\n";
+    return 1;
+  }
 }
 
 YAML::Node ParametersOf(const ros::NodeHandle& private_node) {
@@ -51,7 +80,7 @@ YAML::Node ParametersOf(const ros::NodeHandle& private_node) {
 
 void SpinUntilStopped(const std::function<void()>& tick) {
   const ros::WallDuration longest_wait(0.1);
-  while (stop_requested == 0 && ros::ok()) {
+  while (!IsStopRequested() && ros::ok()) {
     ros::getGlobalCallbackQueue()->callAvailable(longest_wait);
     if (tick) tick();
   }

@@ -4,14 +4,16 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <ostream>
+#include <stdexcept>
+#include <utility>
 
 #include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/app/place_model_option.h"
-#include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/io/dataset_folder.h"
 #include "rovio_sfm/io/text_file.h"
-#include "rovio_sfm/tools/map_summary.h"
+#include "rovio_sfm/tools/finish_run.h"
 #include "rovio_sfm/util/steady_clock.h"
+#include "rovio_sfm/util/stop_signals.h"
 
 namespace rovio_sfm {
 namespace {
@@ -75,48 +77,67 @@ std::shared_ptr<const std::vector<uint8_t>> FindPicture(const std::vector<Datase
   return nullptr;
 }
 
+size_t CountImages(const std::vector<DatasetFolder>& datasets) {
+  size_t num_images = 0;
+  for (const DatasetFolder& dataset : datasets) num_images += dataset.images.size();
+  return num_images;
+}
+
+// An image that cannot be read costs that image alone.
+void MapFolder(const DatasetFolder& dataset, bool with_odometry, OfflineMapper* mapper,
+               ReasonCounts* left_out) {
+  for (const DatasetImage& image : dataset.images) {
+    if (IsStopRequested()) return;
+    std::optional<ImageEvent> event;
+    try {
+      event = ReadImage(dataset, image, with_odometry);
+    } catch (const std::runtime_error& error) {
+      CountReason(error.what(), left_out);
+    }
+    if (event) mapper->Add(std::move(*event));
+  }
+}
+
 MapRun MapFolders(const std::vector<DatasetFolder>& datasets, const Arguments& arguments,
-                  StageTimes* times, OfflineMapper* mapper) {
-  const int64_t start_ns = SteadyNs();
+                  OfflineMapper* mapper) {
   MapRun run;
-  for (size_t i = 0; i < datasets.size(); ++i) {
+  run.num_images = CountImages(datasets);
+  for (size_t i = 0; i < datasets.size() && !IsStopRequested(); ++i) {
     const std::string robot = RobotOf(i);
     mapper->StartDrive(robot);
-    for (const DatasetImage& image : datasets[i].images) {
-      mapper->Add(ReadImage(datasets[i], image, !arguments.without_odometry));
-    }
-    run.num_images += datasets[i].images.size();
+    MapFolder(datasets[i], !arguments.without_odometry, mapper, &run.left_out);
     if (!arguments.without_odometry) run.odometry[robot] = YawsOf(datasets[i]);
     if (!datasets[i].ground_truth.empty()) run.ground_truth[robot] = datasets[i].ground_truth;
   }
-  run.snapshot = mapper->Finish();
-  run.frontend = mapper->frontend_counters();
-  run.funnel = mapper->matching_funnel();
-  run.mapper = mapper->mapper_counters();
-  run.merges = mapper->merge_reports();
-  run.stages = times->totals();
-  run.wall_s = 1e-9 * static_cast<double>(SteadyNs() - start_ns);
-  run.peak_rss_mb = PeakRssMb();
   return run;
 }
 
-void WriteResults(const MapRun& run, const MapSource& source, const Arguments& arguments,
-                  std::ostream& out) {
-  const Overwrite overwrite = MayReplaceResults(arguments);
-  nlohmann::ordered_json summary;
-  summary["folders"] = arguments.folders;
-  summary["options"] = {{"stride", arguments.stride},
-                        {"mode", arguments.mode},
-                        {"features", arguments.mapper.frontend.extract.max_features},
-                        {"threads", arguments.mapper.num_threads},
-                        {"seed", arguments.mapper.seed}};
-  summary.update(MapSummaryJson(run));
-  if (const auto map = FindLargestMap(*run.snapshot)) {
-    PrintWritten(WriteMapFiles(*map, source, arguments.formats, arguments.out, overwrite), out);
-  }
-  const std::filesystem::path path = std::filesystem::path(arguments.out) / "summary.json";
-  WriteFile(path, summary.dump(2) + "\n", overwrite);
-  out << "wrote " << std::filesystem::absolute(path).string() << "\n" << summary.dump(2) << "\n";
+nlohmann::ordered_json HeaderOf(const Arguments& arguments) {
+  nlohmann::ordered_json header;
+  header["folders"] = arguments.folders;
+  header["options"] = {{"stride", arguments.stride},
+                       {"mode", arguments.mode},
+                       {"features", arguments.mapper.frontend.extract.max_features},
+                       {"threads", arguments.mapper.num_threads},
+                       {"seed", arguments.mapper.seed}};
+  return header;
+}
+
+int MapAll(const std::vector<DatasetFolder>& datasets, const Arguments& arguments,
+           std::ostream& out) {
+  RunToFinish finish;
+  finish.start_ns = SteadyNs();
+  StageTimes times(SteadyNs);
+  const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
+  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), &times,
+                       store ? &store->store() : nullptr);
+  finish.run = MapFolders(datasets, arguments, &mapper);
+  finish.pictures = [&](const ModelImage& image) { return FindPicture(datasets, image); };
+  finish.arguments = &arguments;
+  finish.mapper = &mapper;
+  finish.times = &times;
+  finish.store = store.get();
+  return FinishRun(std::move(finish), HeaderOf(arguments), out);
 }
 
 }  // namespace
@@ -129,19 +150,10 @@ int MapImagesCommand(int argc, const char* const* argv, std::ostream& out) {
   if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
   cv::setNumThreads(1);  // the threads are ours
   CompleteMappingArguments(&arguments);
-  PrepareResultFolder(arguments, "summary.json");
+  RefuseOlderResults(arguments);
   const std::vector<DatasetFolder> datasets = ReadFolders(arguments);
-  StageTimes times(SteadyNs);
-  const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
-  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), &times,
-                       store ? &store->store() : nullptr);
-  const MapRun run = MapFolders(datasets, arguments, &times, &mapper);
-  TellStore(store.get(), out);
-  if (arguments.mapper.localize) return WriteLocalized(mapper, *run.snapshot, arguments, out);
-  const MapSource source{[&](const LevelMap& map) { return mapper.ModelOf(map); },
-                         [&](const ModelImage& image) { return FindPicture(datasets, image); }};
-  WriteResults(run, source, arguments, out);
-  return 0;
+  PrepareMapFolder(arguments, CountImages(datasets));
+  return MapAll(datasets, arguments, out);
 }
 
 }  // namespace rovio_sfm

@@ -132,7 +132,50 @@ Json MapperJson(const MapperCounters& counters) {
           {"global_adjustments", counters.global_adjustments}};
 }
 
+Json PlacesJson(const PlaceCounters& places) {
+  return {{"light_frames", places.light_frames},
+          {"foreign_type", places.foreign_type},
+          {"out_of_order", places.out_of_order},
+          {"queries", places.queries},
+          {"only_recent", places.only_recent},
+          {"low_score", places.low_score},
+          {"candidates", places.candidates},
+          {"out_of_reach", places.out_of_reach},
+          {"refused_geometry", places.refused_geometry},
+          {"refused_spread", places.refused_spread},
+          {"outdone", places.outdone},
+          {"matches", places.matches},
+          {"matched_queries", places.matched_queries},
+          {"pairs", places.pairs}};
+}
+
+// What the thesis counts of tracks and points (§3.6, §5.2).
+Json TracksJson(const MapRun& run, const std::optional<LevelMap>& map) {
+  Json lengths = Json::object();
+  if (map) {
+    std::map<uint32_t, size_t> histogram;
+    for (const MapLandmark& landmark : UniteLandmarks(*map)) {
+      ++histogram[landmark.landmark.num_views];
+    }
+    for (const auto& [length, count] : histogram) lengths[std::to_string(length)] = count;
+  }
+  const auto matches = static_cast<double>(run.frontend.track_matches);
+  const auto refused = static_cast<double>(run.frontend.refused_f1);
+  return {{"matches", run.frontend.track_matches},
+          {"refused_f1", run.frontend.refused_f1},
+          {"f1_share", matches > 0.0 ? Json(refused / matches) : Json()},
+          {"points_created", run.landmarks.created},
+          {"points_united", run.landmarks.united},
+          {"observations_deleted", run.landmarks.pruned_observations},
+          {"length_histogram", lengths}};
+}
+
 }  // namespace
+
+std::string WhyInMapUnits(const MapRun& run) {
+  const std::optional<LevelMap> map = FindLargestMap(*run.snapshot);
+  return map && map->scale ? "" : WhyNoScale(run.motion, run.missing_head);
+}
 
 Json MapSummaryJson(const MapRun& run) {
   const std::optional<LevelMap> map = FindLargestMap(*run.snapshot);
@@ -145,6 +188,12 @@ Json MapSummaryJson(const MapRun& run) {
   json["matching"] = FunnelJson(run.funnel);
   json["mapper"] = MapperJson(run.mapper);
   json["merges"] = MergesJson(run.merges);
+  const std::string why = WhyInMapUnits(run);
+  json["why_in_map_units"] = why.empty() ? Json() : Json(why);
+  json["tracks"] = TracksJson(run, map);
+  json["places"] = PlacesJson(run.places);
+  json["left_out"] = run.left_out;
+  json["stopped"] = run.stopped;
   AddCosts(run, &json);
   return json;
 }

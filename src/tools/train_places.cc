@@ -1,6 +1,8 @@
 #include "rovio_sfm/tools/train_places.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <filesystem>
 #include <opencv2/core.hpp>
 #include <ostream>
 #include <stdexcept>
@@ -8,15 +10,19 @@
 #include <vector>
 
 #include "rovio_sfm/app/command_arguments.h"
+#include "rovio_sfm/app/output_folder.h"
 #include "rovio_sfm/app/place_model_file.h"
 #include "rovio_sfm/app/progress_bar.h"
 #include "rovio_sfm/tools/list_images.h"
 #include "rovio_sfm/tools/train_place_model.h"
 #include "rovio_sfm/util/check_options.h"
 #include "rovio_sfm/util/steady_clock.h"
+#include "rovio_sfm/util/stop_signals.h"
 
 namespace rovio_sfm {
 namespace {
+
+constexpr uintmax_t kBytesOfWord = 1024;  // in the model and in what is kept on the way
 
 struct Arguments {
   std::vector<std::string> images;
@@ -89,6 +95,16 @@ void CheckArguments(const Arguments& arguments) {
   if (!arguments.overwrite && std::filesystem::exists(arguments.out)) {
     throw std::runtime_error(arguments.out + " exists; give --overwrite to replace it");
   }
+  RequireWritableFolder(std::filesystem::absolute(arguments.out).parent_path(),
+                        kBytesOfWord * static_cast<uintmax_t>(arguments.options.cluster.num_words));
+}
+
+// What was reached is kept, file by file; threads and all end with the program.
+void EndAtSignal(const std::string& work_folder, std::ostream& out) {
+  if (!IsStopRequested()) return;
+  out << "\nstopped by a signal; what was reached is kept in " << work_folder
+      << ": go on with --resume" << std::endl;
+  std::_Exit(StatusOfStop());
 }
 
 void Report(const TrainingResult& result, const std::filesystem::path& path, std::ostream& out) {
@@ -112,10 +128,15 @@ int TrainPlacesCommand(int argc, const char* const* argv, std::ostream& out) {
   cv::setNumThreads(1);  // the threads are ours
   Executor executor(arguments.num_threads);
   StepBars bars(&out);
-  const TrainingCheckpoint checkpoint(arguments.out + ".work");
-  const TrainingResult result = TrainPlaces(
-      ChooseImages(arguments), arguments.options, checkpoint, arguments.resume, &executor,
-      [&](const std::string& step, size_t done, size_t total) { bars.Show(step, done, total); });
+  const std::string work_folder = std::filesystem::absolute(arguments.out + ".work").string();
+  const std::vector<std::filesystem::path> images = ChooseImages(arguments);
+  const TrainingCheckpoint checkpoint(work_folder);
+  const TrainingResult result =
+      TrainPlaces(images, arguments.options, checkpoint, arguments.resume, &executor,
+                  [&](const std::string& step, size_t done, size_t total) {
+                    bars.Show(step, done, total);
+                    EndAtSignal(work_folder, out);
+                  });
   SavePlaceModel(result.model, arguments.out,
                  arguments.overwrite ? Overwrite::kAllow : Overwrite::kRefuse);
   Report(result, arguments.out, out);

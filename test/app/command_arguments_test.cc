@@ -7,8 +7,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "util/temporary_folder.h"
-
 namespace rovio_sfm {
 namespace {
 
@@ -61,27 +59,6 @@ TEST(CompleteMappingArguments, ReadsTheFormats) {
   EXPECT_EQ(arguments.formats, MapFormats({MapFormat::kPly, MapFormat::kColmap}));
   arguments.format = "obj";
   EXPECT_THROW(CompleteMappingArguments(&arguments), std::runtime_error);
-}
-
-TEST(PrepareResultFolder, GuardsMapsOfEveryFormatAskedFor) {
-  const TemporaryFolder folder;
-  folder.Write("colmap/database.db", "");
-  MappingArguments arguments;
-  arguments.out = folder.Path();
-  EXPECT_NO_THROW(PrepareResultFolder(arguments, "summary.json"));
-  arguments.formats = {MapFormat::kColmap};
-  EXPECT_THROW(PrepareResultFolder(arguments, "summary.json"), std::runtime_error);
-}
-
-TEST(PrepareResultFolder, GuardsAnEarlierResult) {
-  const TemporaryFolder folder;
-  MappingArguments arguments;
-  arguments.out = folder.Path() / "new";
-  PrepareResultFolder(arguments, "cloud.ply");
-  folder.Write("new/cloud.ply", "");
-  EXPECT_THROW(PrepareResultFolder(arguments, "cloud.ply"), std::runtime_error);
-  arguments.overwrite = true;
-  EXPECT_NO_THROW(PrepareResultFolder(arguments, "cloud.ply"));
 }
 
 }  // namespace

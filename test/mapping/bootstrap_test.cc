@@ -110,5 +110,18 @@ TEST(FindBestBootstrapPair, FindsThePairThatIsNotTheNewest) {
   EXPECT_FALSE(FindBestBootstrapPair({}, NoAliases(), {}, 1));
 }
 
+TEST(FindBestBootstrapPair, LooksAtTwentyOfManyHeldFrames) {
+  SyntheticDriveOptions options;
+  std::deque<FrameEvent> held;  // a robot that stands, then drives a little
+  for (const FrameEvent& event : Held(options, 8)) {
+    const int num_repeats = event.id.index == 0 ? 100 : 3;
+    for (int i = 0; i < num_repeats; ++i) held.push_back(event);
+  }
+  const auto pair = FindBestBootstrapPair(held, NoAliases(), {}, 1);
+  ASSERT_TRUE(pair);
+  EXPECT_EQ(held[pair->first].id.index, 0u);
+  EXPECT_EQ(pair->second, held.size() - 1);
+}
+
 }  // namespace
 }  // namespace rovio_sfm

@@ -3,6 +3,11 @@
 #include <gtest/gtest.h>
 #include <rovio_sfm/Status.h>
 
+#include <filesystem>
+#include <future>
+#include <iterator>
+#include <vector>
+
 #include "report/small_map.h"
 
 namespace rovio_sfm {
@@ -74,6 +79,33 @@ TEST_F(ExportMapTest, WritesTheFormatsAskedForAndSaysWhatIsMissing) {
   EXPECT_EQ(response.files.size(), 6u);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "colmap/sparse/0/images.bin"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "cloud.ply"));
+}
+
+TEST_F(ExportMapTest, FollowsNoLinkOutOfItsFolder) {
+  const std::filesystem::path outside = folder_.string() + "_outside";
+  std::filesystem::remove_all(outside);
+  std::filesystem::create_directories(outside);
+  std::filesystem::create_directories(folder_ / "real");
+  std::filesystem::create_directory_symlink(outside, folder_ / "out");
+  std::filesystem::create_directory_symlink(folder_ / "real", folder_ / "in");
+  const ExportMapResponse response = Export("out");
+  EXPECT_EQ(response.status.code, Status::INVALID_ARGUMENT);
+  EXPECT_NE(response.status.message.find("out is a link"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::is_empty(outside));
+  EXPECT_EQ(Export("in").status.code, Status::OK);
+}
+
+TEST_F(ExportMapTest, AnswersSeveralClientsAtOnce) {
+  std::vector<std::future<int>> clients;
+  for (int i = 0; i < 4; ++i) {
+    clients.push_back(std::async(std::launch::async, [this] {
+      int failed = 0;
+      for (int k = 0; k < 20; ++k) failed += Export("same", true).status.code != Status::OK;
+      return failed;
+    }));
+  }
+  for (std::future<int>& client : clients) EXPECT_EQ(client.get(), 0);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "same"), {}), 2);
 }
 
 TEST_F(ExportMapTest, UnknownMapIsNotFound) {

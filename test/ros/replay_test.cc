@@ -31,11 +31,10 @@ TEST(Replay, ExplainsItself) {
   EXPECT_NE(printed.find("--overwrite"), std::string::npos) << printed;
 }
 
-TEST(Replay, AsksForBagsAndAFolder) {
+TEST(Replay, AsksForBags) {
   std::string printed;
   EXPECT_NE(RunCommand(Replay, {}, &printed), 0);
-  EXPECT_NE(RunCommand(Replay, {"a.bag"}, &printed), 0);
-  EXPECT_NE(printed.find("--out"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("bags"), std::string::npos) << printed;
 }
 
 TEST(Replay, NamesABagThatIsNotThere) {

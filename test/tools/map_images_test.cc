@@ -26,7 +26,8 @@ TEST(MapImagesCommand, WritesASummaryEvenWhereNothingCanBeMapped) {
   WriteGreyFolder(folder);
   const std::string out = folder.Path() / "out";
   std::string printed;
-  ASSERT_EQ(RunCommand(MapImagesCommand, {folder.Path() / "drive", "--out", out}, &printed), 0);
+  ASSERT_EQ(RunCommand(MapImagesCommand, {folder.Path() / "drive", "--out", out}, &printed), 2);
+  EXPECT_NE(printed.find("no image was registered"), std::string::npos) << printed;
   const auto bytes = ReadBytes(out + "/summary.json", 100000);
   const auto json = nlohmann::json::parse(bytes.begin(), bytes.end());
   EXPECT_EQ(json["frames"], 2);

@@ -42,10 +42,6 @@ void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments);
 // std::runtime_error that names an option out of its range.
 void CompleteMappingArguments(MappingArguments* arguments);
 
-// Makes the folder for the results. Throws std::runtime_error if it holds this file, or maps in one
-// of the formats, and overwrite is false: cheap now, vexing after an hour's work.
-void PrepareResultFolder(const MappingArguments& arguments, const std::string& file);
-
 // The store in the folder for the results; null where none is wanted. Throws std::runtime_error as
 // StoreFolder does.
 std::unique_ptr<StoreFolder> OpenResultStore(const MappingArguments& arguments);

@@ -10,6 +10,7 @@
 #include "rovio_sfm/app/mapper.h"
 #include "rovio_sfm/app/store_folder.h"
 #include "rovio_sfm/merging/localizer.h"
+#include "rovio_sfm/report/why_no_scale.h"
 #include "rovio_sfm/scene/memory_frame_store.h"
 #include "rovio_sfm/util/executor.h"
 #include "rovio_sfm/util/mutex.h"
@@ -41,6 +42,7 @@ struct MapPicture {
   std::shared_ptr<const MapSnapshot> snapshot;
   std::map<std::string, OdometryAnchor> anchors;  // by robot, of its newest registered frame
   MapperCounters counters;
+  std::map<std::string, MotionCounts> motion;  // by robot
   uint64_t num_events = 0;
   // By id; never null, and the same list as long as nothing in it changes.
   std::shared_ptr<const std::vector<MergeReport>> merges =
@@ -50,6 +52,9 @@ struct MapPicture {
   uint64_t num_localized = 0, num_not_localized = 0;  // frames, while maps are only read
   std::string store_error;  // why nothing is saved any more; empty: all is well
 };
+
+// One sentence for each robot that has posed frames but no metric scale: why.
+std::vector<std::string> WhyNotMetric(const MapPicture& picture);
 
 // The mapper of all robots with what it needs, and the rules of who may send: a robot's new drive
 // ends its last one, and events of an ended drive are refused (two frontends with one name). One
@@ -126,6 +131,7 @@ class MappingEngine {
   std::set<DriveId> ended_drives_;
   std::map<DriveId, uint32_t> next_indices_;
   std::map<std::string, OdometryAnchor> anchors_;
+  std::map<std::string, MotionCounts> motion_;
   uint64_t epoch_ = 0, num_events_ = 0, num_place_matches_ = 0;
   mutable Mutex mutex_;
   MapPicture picture_ GUARDED_BY(mutex_);

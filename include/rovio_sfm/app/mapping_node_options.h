@@ -20,14 +20,15 @@ struct MappingNodeOptions {
   bool keep_images = true;
   bool localize = false;
   double cloud_period_s = 1.0;
-  double drain_s = 10.0;
+  double drain_s = 5.0;
   double fetch_timeout_s = 5.0;
   double diagnostic_period = 1.0;
   MapOptions mapper;
 
   void DescribeOptions(OptionTable& table) {
     AddRobotNames(table, robots, "whose /<robot>/frames are mapped");
-    table.AddText("output_dir", output_dir, "of maps; empty: none written, export_map is refused");
+    table.AddText("output_dir", output_dir,
+                  "of maps, absolute or below ~; empty: a dated one in $ROS_HOME/rovio_sfm");
     table.AddFlag("overwrite", overwrite, "the map written at the end may replace an older one");
     table.AddFlag("keep_store", keep_store,
                   "maps are kept in output_dir/map.db, and those that it holds go on");

@@ -11,10 +11,12 @@
 #include "rovio_sfm/merging/localizer.h"
 #include "rovio_sfm/recognition/place_recognizer.h"
 #include "rovio_sfm/report/matching_funnel.h"
+#include "rovio_sfm/report/why_no_scale.h"
 #include "rovio_sfm/scene/frame_cache.h"
 #include "rovio_sfm/scene/memory_frame_store.h"
 #include "rovio_sfm/util/executor.h"
 #include "rovio_sfm/util/option_table.h"
+#include "rovio_sfm/util/reason_counts.h"
 #include "rovio_sfm/util/stage_times.h"
 #include "rovio_sfm/util/worker.h"
 
@@ -40,6 +42,12 @@ struct OfflineMapperOptions {
   }
 };
 
+// What the mapper did to landmarks, over all frames (§3.7).
+struct LandmarkCounts {
+  uint64_t created = 0, united = 0;
+  uint64_t pruned_observations = 0;
+};
+
 // Maps drives one after the other, without a clock: images are prepared ahead on a pool, matched
 // and tracked on the caller's thread in order, and mapped on a thread of their own. The same
 // images, options and seed give the same maps, whatever the number of threads.
@@ -55,15 +63,25 @@ class OfflineMapper {
   void StartDrive(const std::string& robot);
   // The next image of the drive; waits where too many are under way.
   void Add(ImageEvent image);
-  // Ends the last drive; its snapshot is final.
+  // Maps what is under way. The snapshot is of the maps as they stand; no image may follow. With
+  // `seeded` nothing is mapped yet.
+  std::shared_ptr<const MapSnapshot> Drain();
+  // Drains, and ends the last drive; its snapshot is final.
   std::shared_ptr<const MapSnapshot> Finish();
 
   // A map of that snapshot, as exporters want it; see Mapper.
   MapModel ModelOf(const LevelMap& map) const { return mapper_.ModelOf(map); }
 
-  // What became of the images of all drives so far; call after Finish.
+  // What became of the images of all drives so far; call after Drain or Finish.
   const FrontendCounters& frontend_counters() const { return frontend_counters_; }
   const MatchingFunnel& matching_funnel() const { return funnel_; }
+  const MotionCounts& motion_counts() const { return motion_; }
+  const LandmarkCounts& landmark_counts() const { return landmarks_; }
+  PlaceCounters place_counters() const {
+    return recognizer_ ? recognizer_->counters() : PlaceCounters();
+  }
+  // Why images and frames were left out.
+  ReasonCounts reasons() const;
   MapperCounters mapper_counters() const { return mapper_.counters(); }
   std::vector<MergeReport> merge_reports() const { return mapper_.MergeReports(); }
   // Where the images stand, with options.localize: those that were posed, by drive and index.
@@ -98,6 +116,9 @@ class OfflineMapper {
   std::vector<std::vector<FrameEvent>> drives_;  // only where drives are seeded
   FrontendCounters frontend_counters_;
   MatchingFunnel funnel_;
+  ReasonCounts dropped_, refused_;  // by the frontend, by the mapper (on its thread)
+  MotionCounts motion_;
+  LandmarkCounts landmarks_;  // of the mapper's thread
   uint32_t next_nonce_ = 0;
   std::map<DriveId, uint32_t> kept_before_;  // the index after the last frame that the store held
 };

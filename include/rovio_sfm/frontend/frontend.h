@@ -29,6 +29,8 @@ struct FrontendCounters {
   uint64_t light_frames = 0;
   uint64_t drives = 0;
   uint64_t links = 0;
+  uint64_t track_matches = 0;  // verified matches that were to extend or join tracks
+  uint64_t refused_f1 = 0;     // of them, by filter f1
 };
 
 // From images to frame events (§3.3–3.6). The first image starts a drive; one whose stamp lies more

@@ -29,7 +29,8 @@ std::optional<BootstrapPair> FindBootstrapPair(const std::deque<FrameEvent>& hel
                                                const Session& aliases,
                                                const BootstrapOptions& options, uint64_t seed);
 
-// The same over all pairs, for a drive that ends before its session has started.
+// The same over all pairs of the held frames, or of 20 spread evenly over them where more are held
+// (a robot that stands still), for a drive that ends before its session has started.
 std::optional<BootstrapPair> FindBestBootstrapPair(const std::deque<FrameEvent>& held,
                                                    const Session& aliases,
                                                    const BootstrapOptions& options, uint64_t seed);

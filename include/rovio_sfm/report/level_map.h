@@ -31,6 +31,9 @@ struct PosedImage {
 std::optional<LevelMap> FindLevelMap(const MapSnapshot& snapshot, MapId id);
 std::optional<LevelMap> FindLargestMap(const MapSnapshot& snapshot);
 
+// All maps with a registered image, the largest first, the older one of two as large.
+std::vector<LevelMap> FindMapsBySize(const MapSnapshot& snapshot);
+
 // By drive, then by index.
 std::vector<PosedImage> PosedImages(const LevelMap& map);
 

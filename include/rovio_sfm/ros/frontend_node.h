@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "rovio_sfm/app/frontend_node_options.h"
 #include "rovio_sfm/app/image_gate.h"
@@ -20,6 +21,7 @@
 #include "rovio_sfm/ros/event_history.h"
 #include "rovio_sfm/ros/frontend_thresholds.h"
 #include "rovio_sfm/ros/robot_sensors.h"
+#include "rovio_sfm/ros/waiting_hints.h"
 #include "rovio_sfm/util/mutex.h"
 #include "rovio_sfm/util/worker.h"
 
@@ -68,7 +70,9 @@ class FrontendNode {
   void OnCameraInfo(const sensor_msgs::CameraInfo::ConstPtr& message);
   void OnOdometry(const nav_msgs::Odometry::ConstPtr& message);
   void OnThresholds(FrontendThresholdsConfig& thresholds, uint32_t level);
+  void CountMalformed(const std::string& reason);
   void ReleaseImages();
+  std::vector<AwaitedTopic> Awaited() const;
   bool GetFrames(GetFramesRequest& request, GetFramesResponse& response);
   void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
@@ -85,6 +89,9 @@ class FrontendNode {
   RobotSensors sensors_;
   ImageGate gate_;
   uint64_t num_malformed_ = 0;
+  std::string newest_malformed_;  // why; empty: none since the newest good image
+  bool has_image_ = false;
+  WaitingHints hints_;
   EventHistory history_;
   mutable Mutex mutex_;
   Progress progress_ GUARDED_BY(mutex_);

@@ -27,10 +27,12 @@
 #include "rovio_sfm/app/mapping_node_options.h"
 #include "rovio_sfm/ros/diagnostic_pace.h"
 #include "rovio_sfm/ros/event_history.h"
+#include "rovio_sfm/ros/final_maps.h"
 #include "rovio_sfm/ros/frame_fetcher.h"
 #include "rovio_sfm/ros/frame_subscriber.h"
 #include "rovio_sfm/ros/job_worker.h"
 #include "rovio_sfm/ros/map_publisher.h"
+#include "rovio_sfm/ros/waiting_hints.h"
 
 namespace rovio_sfm {
 
@@ -42,10 +44,15 @@ class MappingNode {
  public:
   MappingNode(const MappingNodeOptions& options, ros::NodeHandle node,
               ros::NodeHandle private_node);
-  // Maps what is queued (as long as drain_s allows), finishes all sessions and writes the map.
   ~MappingNode();
 
-  void Tick() { pace_.Tick(); }
+  // Writes the maps as they stand, maps what is queued (as long as drain_s allows), finishes all
+  // sessions and writes the maps again. False where they are not on disk. Ends the program where,
+  // after a signal, the time is used up.
+  bool End();
+
+  // Diagnostics, and what is waited for; call at least ten times a second.
+  void Tick();
 
  private:
   // What the worker has to do, by kind; WorkerLanes has the bounds.
@@ -86,11 +93,14 @@ class MappingNode {
   void AddMatch(const PlaceMatch& match);                                     // worker
   void CountGaps();                                                           // worker
   void SaveNowAndThen(double now_s);                                          // worker
-  void WriteFinalMap() const;
+  void DrainAndAdjust();
 
   const MappingNodeOptions options_;
   ros::NodeHandle node_;
   MappingEngine engine_;
+  FinalMaps maps_;
+  bool has_ended_ = false;
+  WaitingHints hints_;
   MapPublisher publisher_;
   EventHistory history_;
   FrameFetcher fetcher_;

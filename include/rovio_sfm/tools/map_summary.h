@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "rovio_sfm/app/offline_mapper.h"
 #include "rovio_sfm/frontend/frontend.h"
 #include "rovio_sfm/io/trajectory_file.h"
 #include "rovio_sfm/mapping/mapper_report.h"
@@ -14,6 +15,7 @@
 #include "rovio_sfm/scene/drive_state.h"
 #include "rovio_sfm/scene/map_snapshot.h"
 #include "rovio_sfm/scene/merge_report.h"
+#include "rovio_sfm/util/reason_counts.h"
 #include "rovio_sfm/util/stage_times.h"
 
 namespace rovio_sfm {
@@ -29,9 +31,18 @@ struct MapRun {
   std::map<std::string, StageTimes::Total> stages;
   std::map<std::string, std::vector<StampedPose>> ground_truth;  // by robot; may lack some
   std::map<std::string, YawByStamp> odometry;                    // by robot, as it was used
+  PlaceCounters places;
+  LandmarkCounts landmarks;
+  MotionCounts motion;
+  std::string missing_head;  // where the camera's place was looked for; may be empty
+  ReasonCounts left_out;     // images, messages, frames
+  bool stopped = false;      // by a signal, before the end
   double wall_s = 0.0;
   double peak_rss_mb = 0.0;
 };
+
+// Why the largest map is in map units, in one sentence; empty where it is metric.
+std::string WhyInMapUnits(const MapRun& run);
 
 // The figures of summary.json by the definitions of docs/benchmarks.md, units in the names; null
 // for what is not known.

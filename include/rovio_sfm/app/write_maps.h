@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "rovio_sfm/app/write_map_files.h"
+#include "rovio_sfm/io/write_file.h"
+#include "rovio_sfm/report/level_map.h"
+#include "rovio_sfm/scene/map_snapshot.h"
+
+namespace rovio_sfm {
+
+// A map on disk.
+struct WrittenMap {
+  MapId id;
+  size_t num_images = 0;  // registered
+  bool is_metric = false;
+  std::vector<std::filesystem::path> files;  // absolute
+};
+
+// Writes every map with a registered image: the largest into the folder itself, the others by size
+// into map_2, map_3 and so on in it. The folder is made. With kAllow, what an earlier run left of
+// its maps is removed afterwards. Throws std::runtime_error where a file cannot be written.
+std::vector<WrittenMap> WriteAllMaps(const MapSnapshot& snapshot, const MapSource& source,
+                                     const MapFormats& formats, const std::filesystem::path& folder,
+                                     Overwrite overwrite);
+
+// The same in the default formats.
+inline std::vector<WrittenMap> WriteAllMaps(const MapSnapshot& snapshot,
+                                            const std::filesystem::path& folder,
+                                            Overwrite overwrite) {
+  return WriteAllMaps(snapshot, {}, kDefaultFormats, folder, overwrite);
+}
+
+// For people: "map 3: 120 images, in metres, in /folder".
+std::string Describe(const WrittenMap& map);
+
+// Files that WriteAllMaps has written into a folder at some time, and pictures of them, sorted.
+std::vector<std::filesystem::path> FindMapFiles(const std::filesystem::path& folder);
+
+}  // namespace rovio_sfm

@@ -1,0 +1,137 @@
+#include "rovio_sfm/tools/finish_run.h"
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <stdexcept>
+
+#include "rovio_sfm/app/output_folder.h"
+#include "rovio_sfm/app/wait_for_end.h"
+#include "rovio_sfm/app/write_maps.h"
+#include "rovio_sfm/util/steady_clock.h"
+
+namespace rovio_sfm {
+namespace {
+
+using Path = std::filesystem::path;
+using Json = nlohmann::ordered_json;
+
+constexpr uintmax_t kBytesOfStore = 150u << 10;  // an image, its features and its JPEG
+constexpr uintmax_t kBytesOfMap = 10u << 10;     // an image, its pose and its landmarks
+constexpr uintmax_t kSpareBytes = 1u << 20;
+
+Path SummaryPath(const MappingArguments& arguments) { return Path(arguments.out) / "summary.json"; }
+
+// What the mapper knows; its threads rest.
+void Complete(const RunToFinish& finish, MapRun* run) {
+  const OfflineMapper& mapper = *finish.mapper;
+  run->frontend = mapper.frontend_counters();
+  run->funnel = mapper.matching_funnel();
+  run->mapper = mapper.mapper_counters();
+  run->merges = mapper.merge_reports();
+  run->places = mapper.place_counters();
+  run->landmarks = mapper.landmark_counts();
+  run->motion = mapper.motion_counts();
+  AddReasons(mapper.reasons(), &run->left_out);
+  run->stages = finish.times->totals();
+  run->wall_s = 1e-9 * static_cast<double>(SteadyNs() - finish.start_ns);
+  run->peak_rss_mb = PeakRssMb();
+}
+
+std::vector<WrittenMap> WriteResults(const RunToFinish& finish, const MapRun& run, Json summary,
+                                     Overwrite overwrite) {
+  if (run.stopped && FindMapsBySize(*run.snapshot).empty()) return {};
+  const HoldSecondStop hold;
+  const MapSource source{[&](const LevelMap& map) { return finish.mapper->ModelOf(map); },
+                         finish.pictures};
+  std::vector<WrittenMap> maps = WriteAllMaps(*run.snapshot, source, finish.arguments->formats,
+                                              finish.arguments->out, overwrite);
+  summary.update(MapSummaryJson(run));
+  WriteFile(SummaryPath(*finish.arguments), summary.dump(2) + "\n", overwrite);
+  return maps;
+}
+
+[[noreturn]] void EndUnadjusted(const std::vector<WrittenMap>& maps, std::ostream& out) {
+  out << "no time was left for the final adjustment; the maps are as they stood at the signal\n";
+  for (const WrittenMap& map : maps) out << Describe(map) << "\n";
+  out.flush();
+  std::_Exit(StatusOfStop());
+}
+
+void Tell(const RunToFinish& finish, const MapRun& run, const std::vector<WrittenMap>& maps,
+          std::ostream& out) {
+  TellStore(finish.store, out);
+  out << run.mapper.global_adjustments << " global adjustments\n"
+      << run.snapshot->sessions.size() << " sessions; " << (maps.empty() ? 0 : maps[0].num_images)
+      << " images posed in the largest map, in "
+      << (!maps.empty() && maps[0].is_metric ? "metres" : "map units") << "\n";
+  const std::string why = WhyInMapUnits(run);
+  if (!maps.empty() && !why.empty()) out << "not metric: " << why << "\n";
+  for (const WrittenMap& map : maps) {
+    out << Describe(map) << "\n";
+    for (const Path& file : map.files) out << "wrote " << file.string() << "\n";
+  }
+  if (!run.stopped || !maps.empty()) {
+    out << "wrote " << std::filesystem::absolute(SummaryPath(*finish.arguments)).string() << "\n";
+  }
+  if (!run.left_out.empty()) out << "left out:\n" << ReasonTable(run.left_out);
+}
+
+int StatusOf(const MapRun& run, const std::vector<WrittenMap>& maps, std::ostream& out) {
+  if (run.stopped) {
+    out << "stopped by a signal: " << run.frontend.images << " of " << run.num_images
+        << " images were looked at\n";
+    return StatusOfStop();
+  }
+  if (!maps.empty()) return 0;
+  out << "no image was registered: of " << run.num_images << " images " << run.frontend.keyframes
+      << " became keyframes, and "
+      << (run.frontend.keyframes == 0 ? "the reasons stand above"
+                                      : "no two of them show enough common points from places far "
+                                        "enough apart")
+      << "\n";
+  return kNothingRegistered;
+}
+
+}  // namespace
+
+void RefuseOlderResults(const MappingArguments& arguments) {
+  std::vector<Path> older = FindMapFiles(arguments.out);
+  if (arguments.mapper.localize) return;
+  if (std::filesystem::exists(SummaryPath(arguments))) older.push_back(SummaryPath(arguments));
+  for (const MapFormat format : arguments.formats) {
+    const Path path = Path(arguments.out) / MainPathOf(format);
+    if (std::filesystem::exists(path)) older.push_back(path);
+  }
+  if (!older.empty() && !arguments.overwrite && !arguments.resume) {
+    throw std::runtime_error(older.front().string() +
+                             " exists; give --resume to go on with it, --overwrite to replace it");
+  }
+}
+
+void PrepareMapFolder(const MappingArguments& arguments, size_t num_images) {
+  const uintmax_t of_image = kBytesOfMap + (arguments.store ? kBytesOfStore : 0);
+  RequireWritableFolder(arguments.out, kSpareBytes + num_images * of_image);
+}
+
+int FinishRun(RunToFinish finish, const Json& header, std::ostream& out) {
+  finish.run.stopped = IsStopRequested();
+  finish.run.snapshot = finish.mapper->Drain();
+  if (finish.arguments->mapper.localize) {
+    return WriteLocalized(*finish.mapper, *finish.run.snapshot, *finish.arguments, out);
+  }
+  MapRun first = finish.run;
+  Complete(finish, &first);
+  std::vector<WrittenMap> maps =
+      WriteResults(finish, first, header, MayReplaceResults(*finish.arguments));
+  Executor executor(1);
+  const auto adjusted = executor.Submit([&] { return finish.mapper->Finish(); }).share();
+  if (!EndsInTime(adjusted)) EndUnadjusted(maps, out);
+  finish.run.snapshot = adjusted.get();
+  Complete(finish, &finish.run);
+  maps = WriteResults(finish, finish.run, header, Overwrite::kAllow);
+  Tell(finish, finish.run, maps, out);
+  return StatusOf(finish.run, maps, out);
+}
+
+}  // namespace rovio_sfm

@@ -1,0 +1,159 @@
+#!/usr/bin/python3
+"""Every program says on the terminal why it ends: a bad option, a bad file, no master.
+
+program_refusals_test.py FOLDER, where FOLDER holds the programs."""
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import xmlrpc.client
+
+PROGRAMS = sys.argv.pop(1) if len(sys.argv) > 1 else ""
+NOWHERE = "/nowhere/at_all"
+LONG_S = 120
+
+# Arguments of a node with a file that is not there; the word that its message holds.
+NODES = {
+    "drive_tour": ([f"_tour:={NOWHERE}"], NOWHERE),
+    "frontend": (["_image_latency_s:=now"], "image_latency_s"),
+    "mapping": (["_output_dir:=/proc/nowhere"], "/proc/nowhere"),
+    "place_recognition": ([f"_vocabulary:={NOWHERE}"], NOWHERE),
+    "rovio_driver": ([f"_credentials_file:={NOWHERE}"], NOWHERE),
+}
+# What a node waits for says so, and that no time passes.
+AWAITED = {
+    "frontend": ["no images on /rovio1/image_raw/compressed yet; topics of that type: none",
+                 "no camera_info on /rovio1/camera_info yet", "nobody publishes /clock"],
+    "mapping": ["no frames on /rovio1/frames yet; topics of that type: none", "nobody publishes /clock"],
+}
+TOOLS = {
+    "calibrate_camera": [NOWHERE, "--out", "{out}/camera.yaml"],
+    "evaluate_places": ["--query", NOWHERE, "--database", NOWHERE, "--out", "{out}"],
+    "evaluate_trajectory": [NOWHERE, NOWHERE],
+    "images_to_bag": [NOWHERE, "{out}/drive.bag"],
+    "map_images": [NOWHERE, "--out", "{out}"],
+    "measure_noise": [NOWHERE],
+    "replay": [NOWHERE, "--out", "{out}", "--places", "none"],
+    "rovio_sim": ["--images", NOWHERE, "--port", "0"],
+    "train_places": [NOWHERE, "--out", "{out}/model.places"],
+}
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+def environment(port):
+    """Messages are read from a pipe: unbuffered, without colours."""
+    return dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{port}",
+                ROSCONSOLE_STDOUT_LINE_BUFFERED="1", ROS_HOME=tempfile.gettempdir(),
+                ROS_NAMESPACE="rovio1")
+
+
+class Master:
+    """A ROS master alone, without roslaunch."""
+
+    def __enter__(self):
+        self.port = free_port()
+        self.process = subprocess.Popen(
+            ["rosmaster", "--core", "-p", str(self.port)], env=environment(self.port),
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        server = xmlrpc.client.ServerProxy(f"http://127.0.0.1:{self.port}")
+        end = time.monotonic() + LONG_S
+        while time.monotonic() < end:
+            try:
+                server.getPid("/test")
+                return self
+            except ConnectionRefusedError:
+                time.sleep(0.05)
+        raise RuntimeError("the master does not answer")
+
+    def __exit__(self, *_):
+        self.process.send_signal(signal.SIGINT)
+        self.process.wait(LONG_S)
+
+
+def run(program, arguments, port):
+    done = subprocess.run([os.path.join(PROGRAMS, program), *arguments], env=environment(port),
+                          capture_output=True, text=True, timeout=LONG_S, check=False)
+    return done.returncode, done.stdout + done.stderr, done.stderr
+
+
+class ProgramRefusalsTest(unittest.TestCase):
+    def test_tools_name_a_bad_option_and_a_bad_file(self):
+        for program, arguments in TOOLS.items():
+            with self.subTest(program), tempfile.TemporaryDirectory() as out:
+                status, said, _ = run(program, ["--robotz"], 1)
+                self.assertNotIn(status, (0, -signal.SIGSEGV, -signal.SIGABRT))
+                self.assertTrue(said.strip(), "not one character")
+                words = [word.format(out=out) for word in arguments]
+                status, said, _ = run(program, [*words, "--robotz"], 1)
+                self.assertGreater(status, 0)
+                self.assertIn("--robotz", said)
+                status, said, _ = run(program, words, 1)
+                self.assertGreater(status, 0)
+                self.assertIn(NOWHERE, said)
+
+    def test_nodes_name_a_bad_option_and_a_bad_value(self):
+        with Master() as master:
+            for program, (arguments, word) in NODES.items():
+                with self.subTest(program):
+                    status, _, said = run(program, ["_robotz:=1"], master.port)
+                    self.assertEqual(status, 1)
+                    self.assertIn("robotz", said)
+                    status, _, said = run(program, [f"__name:={program}2", *arguments], master.port)
+                    self.assertEqual(status, 1)
+                    self.assertIn(word, said)
+
+    def test_nodes_say_what_they_wait_for(self):
+        with Master() as master:
+            server = xmlrpc.client.ServerProxy(f"http://127.0.0.1:{master.port}")
+            self.assertEqual(server.setParam("/test", "/use_sim_time", True)[0], 1)
+            for program, words in AWAITED.items():
+                with self.subTest(program):
+                    node = subprocess.Popen([os.path.join(PROGRAMS, program)], text=True,
+                                            env=environment(master.port), stdout=subprocess.PIPE,
+                                            stderr=subprocess.STDOUT)
+                    missing = set(words)
+                    for line in node.stdout:
+                        missing = {word for word in missing if word not in line}
+                        if not missing:
+                            break
+                    node.send_signal(signal.SIGTERM)
+                    node.communicate(timeout=LONG_S)
+                    self.assertEqual(missing, set())
+                    self.assertEqual(node.returncode, 0)
+
+    def test_nodes_name_a_bad_name(self):
+        for program in NODES:
+            with self.subTest(program):
+                status, _, said = run(program, ["__name:=a/b"], 1)
+                self.assertEqual(status, 1)
+                self.assertIn("a/b", said)
+
+    def test_nodes_end_while_they_wait_for_a_master(self):
+        for program in NODES:
+            for number in (signal.SIGINT, signal.SIGTERM):
+                with self.subTest(program, signal=number):
+                    node = subprocess.Popen([os.path.join(PROGRAMS, program)],
+                                            env=environment(free_port()), text=True,
+                                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                    line = node.stdout.readline()
+                    self.assertIn("waiting for the ROS master at http://127.0.0.1", line)
+                    node.send_signal(number)
+                    rest, _ = node.communicate(timeout=LONG_S)
+                    self.assertIn("ended while waiting", rest)
+                    self.assertEqual(node.returncode, 128 + number)
+
+
+if __name__ == "__main__":
+    if not PROGRAMS:
+        sys.exit(__doc__)
+    unittest.main()
