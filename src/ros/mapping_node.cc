@@ -135,7 +135,8 @@ bool MappingNode::End() {
     std::_Exit(maps_.IsWritten() ? 0 : 1);
   }
   publisher_.PublishMap(engine_.Picture(), Counters(), true);
-  maps_.Write(*engine_.Picture().snapshot);
+  WriteMaps();
+  if (options_.localize) return true;
   maps_.Tell();
   for (const std::string& why : WhyNotMetric(engine_.Picture())) {
     ROS_WARN_STREAM("not metric: " << why);
@@ -150,12 +151,20 @@ void MappingNode::DrainAndAdjust() {
   worker_.Finish();
   gap_filler_.EndAllWaits(SteadySeconds());
   if (num_late_events_ > 0) ROS_WARN_STREAM(num_late_events_ << " queued events were not mapped");
-  maps_.Write(*engine_.Picture().snapshot);
+  engine_.Save();
+  WriteMaps();
   engine_.Finish();
 }
 
+// Maps that are only read are on disk already.
+void MappingNode::WriteMaps() {
+  if (!options_.localize) maps_.Write(*engine_.Picture().snapshot);
+}
+
 void MappingNode::OnFrame(const FrameEventMsg::ConstPtr& message, FrameEvent event) {
-  event.jpeg.reset();  // the message, which is kept for get_frames, has it
+  if (event.jpeg) {  // once in memory: in the message, which is kept for get_frames
+    event.jpeg = {&message->jpeg, [message](const std::vector<uint8_t>*) {}};
+  }
   worker_.Push(
       kFrameLane,
       [this, message, event = std::move(event)] {

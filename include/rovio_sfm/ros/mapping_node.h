@@ -94,6 +94,7 @@ class MappingNode {
   void CountGaps();                                                           // worker
   void SaveNowAndThen(double now_s);                                          // worker
   void DrainAndAdjust();
+  void WriteMaps();
 
   const MappingNodeOptions options_;
   ros::NodeHandle node_;
