@@ -91,13 +91,13 @@ void TextLine::RequireFields(size_t count, const std::string& layout) const {
 }
 
 double TextLine::Number(size_t field, const char* name) const {
-  const std::string& number = fields.at(field);
-  const bool has_plus = number.size() > 1 && number[0] == '+' && number[1] != '-';
-  const char* begin = number.data() + (has_plus ? 1 : 0);
+  const std::string& digits = fields.at(field);
+  const bool has_plus = digits.size() > 1 && digits[0] == '+' && digits[1] != '-';
+  const char* begin = digits.data() + (has_plus ? 1 : 0);
   double value = 0.0;
-  const auto [end, error] = std::from_chars(begin, number.data() + number.size(), value);
-  if (error != std::errc() || end != number.data() + number.size() || !std::isfinite(value)) {
-    Fail(std::string("field ") + name + ": expected a finite number, got '" + number + "'");
+  const auto [end, error] = std::from_chars(begin, digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
+    Fail(std::string("field ") + name + ": expected a finite number, got '" + digits + "'");
   }
   return value;
 }

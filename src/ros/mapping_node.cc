@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <future>
 #include <utility>
 
 #include "rovio_sfm/app/wait_for_end.h"
@@ -126,9 +127,8 @@ bool MappingNode::End() {
   frame_subscriber_.Stop();
   match_subscriber_.shutdown();
   ROS_INFO_STREAM("ending: " << worker_.NumQueued(kFrameLane) << " events are still queued");
-  maps_.Write(*engine_.Picture().snapshot);
-  Executor executor(1);
-  const auto ended = executor.Submit([this] { DrainAndAdjust(); }).share();
+  WriteMaps();
+  const auto ended = std::async(std::launch::async, [this] { DrainAndAdjust(); }).share();
   if (!EndsInTime(ended)) {
     ROS_WARN("no time was left for the final adjustment; the maps are as they were written last");
     maps_.Tell();
@@ -259,44 +259,6 @@ void MappingNode::Map(const FrameEventMsg::ConstPtr& message, const FrameEvent& 
   }
   history_.Add(message);
   publisher_.PublishPose(engine_.Picture(), report.session, event.id.index);
-}
-
-void MappingNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
-  using Level = diagnostic_msgs::DiagnosticStatus;
-  const MapPicture picture = engine_.Picture();
-  const IngestCounters counters = Counters();
-  const auto& sessions = picture.snapshot->sessions;
-  const std::string foreign = frame_subscriber_.ForeignSender();
-  if (!picture.store_error.empty()) {
-    status.summary(Level::ERROR, "maps are not saved any more: " + picture.store_error);
-  } else if (!foreign.empty()) {
-    status.summary(Level::ERROR, foreign);
-  } else if (picture.num_events == 0) {
-    status.summary(Level::WARN, "no frames yet");
-  } else if (!sessions.empty() && sessions.back().state == SessionState::kBootstrapping) {
-    status.summary(Level::WARN, "the newest session looks for its first two frames");
-  } else {
-    status.summary(Level::OK, "frames are mapped");
-  }
-  status.add("events", picture.num_events);
-  status.add("events queued", worker_.NumQueued(kFrameLane));
-  status.add("events held, missing ones are fetched", num_held_.load());
-  status.add("events dropped, queue full", counters.dropped);
-  status.add("events refused", counters.refused + picture.counters.refused_events);
-  status.add("events refused, foreign sender", frame_subscriber_.NumForeign());
-  status.add("events missing", picture.counters.missing_events);
-  status.add("gaps lost, frontend silent", counters.lost_gaps);
-  status.add("place matches", picture.num_place_matches);
-  status.add("place matches waiting", picture.num_matches_waiting);
-  status.add("place matches repeated", picture.num_matches_repeated);
-  status.add("place matches refused", counters.refused_matches);
-  status.add("place matches queued", worker_.NumQueued(kMatchLane));
-  status.add("place matches dropped, queue full", counters.dropped_matches);
-  status.add("overlaps judged", picture.merges->size());
-  status.add("sessions", sessions.size());
-  status.add("sessions lost", picture.counters.lost_sessions);
-  status.add("keyframes", picture.counters.keyframes);
-  status.add("light frames", picture.counters.light_frames);
 }
 
 }  // namespace rovio_sfm

@@ -1,6 +1,7 @@
 #include "rovio_sfm/tools/finish_run.h"
 
 #include <cstdlib>
+#include <future>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <stdexcept>
@@ -124,8 +125,8 @@ int FinishRun(RunToFinish finish, const Json& header, std::ostream& out) {
   Complete(finish, &first);
   std::vector<WrittenMap> maps =
       WriteResults(finish, first, header, MayReplaceResults(*finish.arguments));
-  Executor executor(1);
-  const auto adjusted = executor.Submit([&] { return finish.mapper->Finish(); }).share();
+  const auto adjusted =
+      std::async(std::launch::async, [&] { return finish.mapper->Finish(); }).share();
   if (!EndsInTime(adjusted)) EndUnadjusted(maps, out);
   finish.run.snapshot = adjusted.get();
   Complete(finish, &finish.run);

@@ -162,7 +162,7 @@ std::string FindLossAfterFailure(size_t at, bool stays, bool* has_failed) {
   if (error.empty() && !is_complete) return "a commit failed without an error";
   disk.fails = [](SimulatedDisk::Call) { return false; };
   Rng rng(at);
-  for (const uint8_t choice : {0, 1, 2}) {
+  for (const uint8_t choice : std::initializer_list<uint8_t>{0, 1, 2}) {
     const auto left = disk.AfterCrash(std::vector<uint8_t>(disk.num_changes(), choice), rng);
     const std::string loss = FindLoss(left.get(), replay);
     if (!loss.empty()) return loss;

@@ -142,10 +142,10 @@ TEST(WriteFile, LeavesTheOldOrTheNewContentWheneverThePowerFails) {
 }
 
 TEST(WriteFile, KeepsTheOldContentWhereAnyCallFails) {
-  RecordingFiles whole({{"a/map", "old"}});
+  RecordingFiles whole(RecordingFiles::Names{{"a/map", "old"}});
   WriteFile("a/map", "newer", Overwrite::kAllow, whole);
   for (int failing = 0; failing < whole.num_calls(); ++failing) {
-    RecordingFiles files({{"a/map", "old"}}, failing);
+    RecordingFiles files(RecordingFiles::Names{{"a/map", "old"}}, failing);
     const std::string error =
         MessageOf([&] { WriteFile("a/map", "newer", Overwrite::kAllow, files); });
     EXPECT_EQ(error.rfind("a", 0), 0u) << error;
