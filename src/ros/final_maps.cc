@@ -39,12 +39,13 @@ void FinalMaps::Write(const MapSnapshot& snapshot) {
   }
 }
 
-void FinalMaps::Tell() const {
+void FinalMaps::Tell(const std::vector<std::string>& why_not_metric) const {
   if (maps_.empty()) ROS_WARN("no map was written: no session has a posed frame");
   for (const WrittenMap& map : maps_) {
     ROS_INFO_STREAM(Describe(map));
     for (const std::filesystem::path& file : map.files) ROS_INFO_STREAM("wrote " << file.string());
   }
+  for (const std::string& why : why_not_metric) ROS_WARN_STREAM("not metric: " << why);
 }
 
 }  // namespace rovio_sfm

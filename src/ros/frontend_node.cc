@@ -113,16 +113,19 @@ void FrontendNode::CountMalformed(const std::string& reason) {
   ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, reason);
 }
 
+// Of topics that are still guessed the search tells.
 std::vector<AwaitedTopic> FrontendNode::Awaited() const {
+  const CameraTopicOptions& topics = options_.topics;
   std::vector<AwaitedTopic> awaited;
-  if (!has_image_) {
-    const char* name = options_.compressed ? topics::kImageCompressed : topics::kImageRaw;
-    awaited.push_back(
-        {"images", node_.resolveName(name), {"sensor_msgs/Image", "sensor_msgs/CompressedImage"}});
+  if (!has_image_ && topics.image != kGuessTopic) {
+    const bool is_raw = topics.image_transport == "raw";
+    awaited.push_back({"images",
+                       node_.resolveName(topics.image + (is_raw ? "" : "/compressed")),
+                       {"sensor_msgs/Image", "sensor_msgs/CompressedImage"}});
   }
-  if (!sensors_.HasCamera()) {
+  if (!sensors_.HasCamera() && topics.camera_info != kGuessTopic) {
     awaited.push_back(
-        {"camera_info", node_.resolveName(topics::kCameraInfo), {"sensor_msgs/CameraInfo"}});
+        {"camera_info", node_.resolveName(topics.camera_info), {"sensor_msgs/CameraInfo"}});
   }
   return awaited;
 }

@@ -122,7 +122,7 @@ void MappingNode::SaveNowAndThen(double now_s) {
 MappingNode::~MappingNode() { End(); }
 
 bool MappingNode::End() {
-  if (has_ended_) return maps_.IsWritten();
+  if (has_ended_) return options_.localize || maps_.IsWritten();
   has_ended_ = true;
   frame_subscriber_.Stop();
   match_subscriber_.shutdown();
@@ -131,16 +131,13 @@ bool MappingNode::End() {
   const auto ended = std::async(std::launch::async, [this] { DrainAndAdjust(); }).share();
   if (!EndsInTime(ended)) {
     ROS_WARN("no time was left for the final adjustment; the maps are as they were written last");
-    maps_.Tell();
-    std::_Exit(maps_.IsWritten() ? 0 : 1);
+    maps_.Tell(WhyNotMetric(engine_.Picture()));
+    std::_Exit(options_.localize || maps_.IsWritten() ? 0 : 1);
   }
   publisher_.PublishMap(engine_.Picture(), Counters(), true);
   WriteMaps();
   if (options_.localize) return true;
-  maps_.Tell();
-  for (const std::string& why : WhyNotMetric(engine_.Picture())) {
-    ROS_WARN_STREAM("not metric: " << why);
-  }
+  maps_.Tell(WhyNotMetric(engine_.Picture()));
   return maps_.IsWritten();
 }
 

@@ -123,7 +123,7 @@ void MapDrive(const BagDrive& drive, const Arguments& arguments, OfflineMapper* 
       << images.NumRefused() << " messages refused\n";
   for (const auto& [reason, count] : images.Refusals()) CountReason(reason, &run->left_out, count);
   TellDrive(drive, images, out);
-  if (const auto why = images.WhyNotMetric()) run->missing_head = *why;
+  if (const auto why = images.WhyNotMetric()) run->why_no_scale = *why;
 }
 
 // What becomes unreadable once others are mapped costs no more than itself.

@@ -174,7 +174,8 @@ Json TracksJson(const MapRun& run, const std::optional<LevelMap>& map) {
 
 std::string WhyInMapUnits(const MapRun& run) {
   const std::optional<LevelMap> map = FindLargestMap(*run.snapshot);
-  return map && map->scale ? "" : WhyNoScale(run.motion, run.missing_head);
+  if (map && map->scale) return "";
+  return run.why_no_scale.empty() ? WhyNoScale(run.motion) : run.why_no_scale;
 }
 
 Json MapSummaryJson(const MapRun& run) {

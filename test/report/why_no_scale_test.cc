@@ -22,7 +22,6 @@ TEST(WhyNoScale, NamesTheFirstThingThatIsMissing) {
   EXPECT_NE(WhyNoScale({}).find("no frame"), std::string::npos);
   EXPECT_NE(WhyNoScale({5, 0, 5}).find("no odometry"), std::string::npos);
   EXPECT_NE(WhyNoScale({5, 5, 0}).find("no tf"), std::string::npos);
-  EXPECT_EQ(WhyNoScale({5, 5, 0}, "no tf between a and b"), "no tf between a and b");
   EXPECT_NE(WhyNoScale({5, 5, 5}).find("moved too little"), std::string::npos);
 }
 

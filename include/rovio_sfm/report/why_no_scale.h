@@ -16,8 +16,7 @@ struct MotionCounts {
 
 void CountMotion(const FrameEvent& event, MotionCounts* counts);
 
-// One sentence for people: why a map of these frames has no metric scale. missing_head says more
-// about where the camera's place was looked for; may be empty.
-std::string WhyNoScale(const MotionCounts& counts, const std::string& missing_head = "");
+// One sentence for people: why a map of these frames has no metric scale.
+std::string WhyNoScale(const MotionCounts& counts);
 
 }  // namespace rovio_sfm

@@ -20,8 +20,8 @@ class FinalMaps {
   void Write(const MapSnapshot& snapshot);
   // False where the last maps could not be written.
   bool IsWritten() const { return is_written_; }
-  // Logs where what was written last is.
-  void Tell() const;
+  // Logs where what was written last is, and sentences on the scale.
+  void Tell(const std::vector<std::string>& why_not_metric) const;
 
  private:
   std::filesystem::path folder_;

@@ -34,7 +34,7 @@ struct MapRun {
   PlaceCounters places;
   LandmarkCounts landmarks;
   MotionCounts motion;
-  std::string missing_head;  // where the camera's place was looked for; may be empty
+  std::string why_no_scale;  // what is known of why no scale can be; may be empty
   ReasonCounts left_out;     // images, messages, frames
   bool stopped = false;      // by a signal, before the end
   double wall_s = 0.0;
