@@ -42,7 +42,7 @@ TEST(BoundaryOf, ReadsTheRobotsAndOtherSpellings) {
 }
 
 TEST(MjpegParser, CutsTheRobotsStreamHoweverItsBytesArrive) {
-  const std::string first = JpegSample(640, 480, 'a'), second = JpegSample(640, 480, 'b');
+  const std::string first = JpegSample(16, 16, 'a'), second = JpegSample(16, 16, 'b');
   const std::string stream = kPartHeader + first + kPartHeader + second + kPartHeader;
   for (size_t piece = 1; piece <= stream.size(); ++piece) {
     const Parsed parsed = Parse(stream, piece);
@@ -53,12 +53,12 @@ TEST(MjpegParser, CutsTheRobotsStreamHoweverItsBytesArrive) {
 }
 
 TEST(MjpegParser, HandsOnAWholeImageBeforeTheNextBoundaryComes) {
-  EXPECT_EQ(Parse(kPartHeader + JpegSample(640, 480), 64).parts.size(), 1u);
+  EXPECT_EQ(Parse(kPartHeader + JpegSample(16, 16), 64).parts.size(), 1u);
 }
 
 TEST(MjpegParser, StampsAPartWithTheFirstByteOfItsBoundary) {
-  const std::string first = JpegSample(640, 480, 'a');
-  const std::string stream = kPartHeader + first + kPartHeader + JpegSample(640, 480, 'b');
+  const std::string first = JpegSample(16, 16, 'a');
+  const std::string stream = kPartHeader + first + kPartHeader + JpegSample(16, 16, 'b');
   const Parsed parsed = Parse(stream, 1);
   ASSERT_EQ(parsed.parts.size(), 2u);
   EXPECT_EQ(parsed.parts[0].stamp_ns, 1);
@@ -67,7 +67,7 @@ TEST(MjpegParser, StampsAPartWithTheFirstByteOfItsBoundary) {
 }
 
 TEST(MjpegParser, TakesIdleLineEndsJunkAndLineFeedsAlone) {
-  const std::string image = JpegSample(640, 480);
+  const std::string image = JpegSample(16, 16);
   const std::string stream = "junk\r\n--WINBONDBOUDARY\nContent-Type: image/jpeg\n\n" + image +
                              "\r\n\r\n\r\n" + kPartHeader + image + "more junk" + kPartHeader +
                              image;
@@ -81,7 +81,7 @@ TEST(MjpegParser, TakesIdleLineEndsJunkAndLineFeedsAlone) {
 }
 
 TEST(MjpegParser, SkipsStatusTextParts) {
-  const std::string image = JpegSample(640, 480);
+  const std::string image = JpegSample(16, 16);
   const std::string stream = kPartHeader + image +
                              "--WINBONDBOUDARY\r\nContent-Type: text/plain\r\n\r\n" +
                              std::string(96, '0') + "\r\n" + kPartHeader + image;
@@ -91,8 +91,8 @@ TEST(MjpegParser, SkipsStatusTextParts) {
 }
 
 TEST(MjpegParser, HandsOnATruncatedImageForOthersToJudge) {
-  const std::string half = JpegSample(640, 480).substr(0, 150);
-  const Parsed parsed = Parse(kPartHeader + half + kPartHeader + JpegSample(640, 480), 9);
+  const std::string half = JpegSample(16, 16).substr(0, 150);
+  const Parsed parsed = Parse(kPartHeader + half + kPartHeader + JpegSample(16, 16), 9);
   ASSERT_EQ(parsed.parts.size(), 2u);
   EXPECT_EQ(parsed.parts[0].body, half);
 }
@@ -132,8 +132,8 @@ TEST(MjpegParser, CapsHeadersPartsAndJunk) {
 }
 
 TEST(MjpegParser, SurvivesRandomDamage) {
-  const std::string stream = kPartHeader + JpegSample(640, 480) + "\r\n" + kPartHeader +
-                             JpegSample(640, 480, 'y') + kPartHeader;
+  const std::string stream = kPartHeader + JpegSample(16, 16) + "\r\n" + kPartHeader +
+                             JpegSample(16, 16, 'y') + kPartHeader;
   Rng rng(5);
   for (int round = 0; round < 2000; ++round) {
     std::string damaged = stream;
