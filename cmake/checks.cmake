@@ -1,6 +1,7 @@
 # What the compiler does not check, as tests.
 add_test(NAME check_layers COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_layers)
 add_test(NAME check_layers_test COMMAND ${PROJECT_SOURCE_DIR}/test/scripts/check_layers_test.py)
+add_test(NAME shell_test COMMAND ${PROJECT_SOURCE_DIR}/test/scripts/shell_test.py)
 add_test(NAME check_format COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_format)
 add_test(NAME check_docs COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_docs)
 

@@ -6,7 +6,7 @@ namespace rovio_sfm {
 ImageBytes BagPictures::Find(const std::string& robot, int64_t stamp_ns) {
   for (size_t tried = 0; tried <= drives_.size(); ++tried) {
     if (drives_[drive_].robot == robot) {
-      if (images_ == nullptr) images_ = std::make_unique<BagImages>(drives_[drive_], options_);
+      if (!images_) images_ = std::make_unique<BagImages>(drives_[drive_], options_, camera_);
       while (const std::optional<ImageEvent> image = images_->Next()) {
         if (image->stamp_ns == stamp_ns) return image->encoded;
       }

@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <future>
 #include <utility>
 
 #include "rovio_sfm/app/wait_for_end.h"
@@ -35,12 +34,11 @@ std::vector<LaneOptions> WorkerLanes() {
           {1, LaneFull::kRefuse}};
 }
 
-// What a frame takes in memory, about: its message and its event, which has no image.
+// What it takes in memory, about. A frame: its message and its event, which has no image.
 size_t SizeOf(const FrameEventMsg& message) {
   return 2 * ros::serialization::serializationLength(message) - message.jpeg.size();
 }
 
-// What a match takes in memory, about.
 size_t SizeOf(const PlaceMatch& match) {
   size_t num_bytes = sizeof(PlaceMatch);
   for (const OverlapPair& pair : match.pairs) {
@@ -128,17 +126,18 @@ bool MappingNode::End() {
   match_subscriber_.shutdown();
   ROS_INFO_STREAM("ending: " << worker_.NumQueued(kFrameLane) << " events are still queued");
   WriteMaps();
-  const auto ended = std::async(std::launch::async, [this] { DrainAndAdjust(); }).share();
-  if (!EndsInTime(ended)) {
-    ROS_WARN("no time was left for the final adjustment; the maps are as they were written last");
-    maps_.Tell(WhyNotMetric(engine_.Picture()));
-    std::_Exit(options_.localize || maps_.IsWritten() ? 0 : 1);
-  }
+  EndInTime([this] { DrainAndAdjust(); }, [this] { EndUnadjusted(); });
   publisher_.PublishMap(engine_.Picture(), Counters(), true);
   WriteMaps();
   if (options_.localize) return true;
   maps_.Tell(WhyNotMetric(engine_.Picture()));
   return maps_.IsWritten();
+}
+
+void MappingNode::EndUnadjusted() {
+  ROS_WARN("no time was left for the final adjustment; the maps are as they were written last");
+  maps_.Tell(WhyNotMetric(engine_.Picture()));
+  std::_Exit(options_.localize || maps_.IsWritten() ? 0 : 1);
 }
 
 void MappingNode::DrainAndAdjust() {
@@ -153,7 +152,6 @@ void MappingNode::DrainAndAdjust() {
   engine_.Finish();
 }
 
-// Maps that are only read are on disk already.
 void MappingNode::WriteMaps() {
   if (!options_.localize) maps_.Write(*engine_.Picture().snapshot);
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <utility>
@@ -62,7 +63,7 @@ void Declare(Arguments* arguments, CLI::App* app) {
 
 std::optional<Camera> ReadCalibration(const std::filesystem::path& path) {
   if (path.empty()) return std::nullopt;
-  return path.extension() == ".txt" ? ReadCalibrationText(path) : ReadCameraInfo(path);
+  return ReadCamera(path);
 }
 
 template <typename Options>
@@ -160,7 +161,7 @@ int MapBags(const std::vector<BagDrive>& drives, size_t num_images, const Argume
                        store ? &store->store() : nullptr);
   finish.run.num_images = num_images;
   MapDrives(drives, arguments, &mapper, &finish.run, out, progress);
-  BagPictures pictures(drives, arguments.sensors);
+  BagPictures pictures(drives, arguments.sensors, arguments.camera);
   finish.pictures = [&](const ModelImage& image) {
     return pictures.Find(image.id.drive.robot, image.stamp_ns);
   };

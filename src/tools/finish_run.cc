@@ -1,7 +1,6 @@
 #include "rovio_sfm/tools/finish_run.h"
 
 #include <cstdlib>
-#include <future>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <stdexcept>
@@ -125,10 +124,8 @@ int FinishRun(RunToFinish finish, const Json& header, std::ostream& out) {
   Complete(finish, &first);
   std::vector<WrittenMap> maps =
       WriteResults(finish, first, header, MayReplaceResults(*finish.arguments));
-  const auto adjusted =
-      std::async(std::launch::async, [&] { return finish.mapper->Finish(); }).share();
-  if (!EndsInTime(adjusted)) EndUnadjusted(maps, out);
-  finish.run.snapshot = adjusted.get();
+  finish.run.snapshot =
+      EndInTime([&] { return finish.mapper->Finish(); }, [&] { EndUnadjusted(maps, out); });
   Complete(finish, &finish.run);
   maps = WriteResults(finish, finish.run, header, Overwrite::kAllow);
   Tell(finish, finish.run, maps, out);

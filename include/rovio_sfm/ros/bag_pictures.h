@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,9 @@ namespace rovio_sfm {
 class BagPictures {
  public:
   // As for BagImages: the same stamps come again.
-  BagPictures(std::vector<BagDrive> drives, SensorOptions options)
-      : drives_(std::move(drives)), options_(std::move(options)) {}
+  BagPictures(std::vector<BagDrive> drives, SensorOptions options,
+              std::optional<Camera> camera = std::nullopt)
+      : drives_(std::move(drives)), options_(std::move(options)), camera_(std::move(camera)) {}
 
   // Of the robot's image with this stamp; null where no bag has it.
   ImageBytes Find(const std::string& robot, int64_t stamp_ns);
@@ -24,6 +26,7 @@ class BagPictures {
  private:
   std::vector<BagDrive> drives_;
   SensorOptions options_;
+  std::optional<Camera> camera_;
   size_t drive_ = 0;                   // that is read
   std::unique_ptr<BagImages> images_;  // of it, behind the last found; null: from its start
 };

@@ -94,7 +94,8 @@ class MappingNode {
   void CountGaps();                                                           // worker
   void SaveNowAndThen(double now_s);                                          // worker
   void DrainAndAdjust();
-  void WriteMaps();
+  [[noreturn]] void EndUnadjusted();
+  void WriteMaps();  // but those that are only read: they are on disk
 
   const MappingNodeOptions options_;
   ros::NodeHandle node_;

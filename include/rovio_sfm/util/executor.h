@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <deque>
 #include <functional>
 #include <future>
@@ -98,6 +99,11 @@ class TaskGroup {
   }
 
   size_t NumPending() const { return results_.size(); }
+
+  // Whether the oldest task has ended within the time.
+  bool IsReadyWithin(std::chrono::milliseconds time) const {
+    return results_.front().wait_for(time) == std::future_status::ready;
+  }
 
   // Waits for the oldest task. Its result, or what it threw.
   Result TakeNext() {
