@@ -1,30 +1,21 @@
 """The third stage's line about a package that others build, and cameras that are no Rovio's."""
 
 import json
-import os
-import pathlib
-import subprocess
 
-from acceptance.common import PROGRAMS, ROOT, Line, Skipped, fresh_folder, run
+from acceptance.common import ROOT, Line, fresh_folder, run
+from acceptance.users import case, ended, judge, program
 
-BAGS = pathlib.Path(os.environ.get("ROVIO_SFM_CASES", ROOT / "../shared/cases")).resolve() / "bags"
 ODD_BAGS = ("plumb_bob_8_zeros", "rational_polynomial_zeros", "roi_full_image")
 IMAGES_OF_A_BAG = 8
 INSTALLED = ("demo_graph.py", "run_demo.py", "plot_map.py", "teleop", "map_images", "replay", "mapping")
 
 
-def odd_bags():
+def odd_bag(name):
     """camera_info that is valid but odd, through replay."""
-    if not BAGS.is_dir():
-        raise Skipped(f"no cases {BAGS} (set ROVIO_SFM_CASES)")
-    registered = {}
-    for name in ODD_BAGS:
-        out = fresh_folder(f"package/{name}")
-        subprocess.run([PROGRAMS / "replay", BAGS / f"{name}.bag", "--out", out, "--mode", "every",
-                        "--places", "none"], capture_output=True, check=False)
-        registered[name] = count_poses(out / "trajectory.txt")
-    return (all(count == IMAGES_OF_A_BAG for count in registered.values()),
-            ", ".join(f"{name} {count} of {IMAGES_OF_A_BAG}" for name, count in registered.items()))
+    out = fresh_folder(f"package/{name}")
+    program("replay", case(f"bags/{name}.bag"), "--out", out, "--mode", "every", "--places", "none")
+    poses = count_poses(out / "trajectory.txt")
+    return poses == IMAGES_OF_A_BAG, f"{poses} of {IMAGES_OF_A_BAG}"
 
 
 def count_poses(path):
@@ -32,9 +23,8 @@ def count_poses(path):
 
 
 def workspaces():
-    done = subprocess.run([ROOT / "test/scripts/workspace_test.py"], capture_output=True, text=True,
-                          check=False)
-    return done.returncode == 0, "workspaces configure" if done.returncode == 0 else done.stderr[-400:]
+    status, text = ended(ROOT / "test/scripts/workspace_test.py")
+    return status == 0, "configure" if status == 0 else text[-400:]
 
 
 def built_and_installed():
@@ -68,11 +58,10 @@ def run_installed(prefix):
 
 
 def package(quick):
-    parts = [odd_bags()]
+    outcomes = [(name, *odd_bag(name)) for name in ODD_BAGS]
     if not quick:
-        parts += [workspaces(), built_and_installed()]
-    return all(holds for holds, _ in parts), "; ".join(
-        figures + ("" if holds else " (falls)") for holds, figures in parts)
+        outcomes += [("workspaces", *workspaces()), ("built and installed", *built_and_installed())]
+    return judge(outcomes)
 
 
 LINES = [
