@@ -160,13 +160,11 @@ void MappingNode::OnFrame(const FrameEventMsg::ConstPtr& message, FrameEvent eve
   if (event.jpeg) {  // once in memory: in the message, which is kept for get_frames
     event.jpeg = {&message->jpeg, [message](const std::vector<uint8_t>*) {}};
   }
-  worker_.Push(
-      kFrameLane,
-      [this, message, event = std::move(event)] {
-        gap_filler_.Add(Arrived(message, event), SteadySeconds());
-        CountGaps();
-      },
-      SizeOf(*message));
+  auto add = [this, message, event = std::move(event)] {
+    gap_filler_.Add(Arrived(message, event), SteadySeconds());
+    CountGaps();
+  };
+  worker_.Push(kFrameLane, std::move(add), SizeOf(*message));
 }
 
 void MappingNode::OnPlaceMatch(const PlaceMatchMsg::ConstPtr& message) {
