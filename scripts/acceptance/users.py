@@ -46,7 +46,7 @@ def judge(outcomes):
 
 def says(what, result, statuses, *patterns):
     """An outcome: the command ended with one of the statuses, and its text has all the patterns."""
-    missing = [p for p in patterns if not re.search(p, result.text, re.IGNORECASE)]
+    missing = [p for p in patterns if not re.search(p, result.text, re.IGNORECASE | re.MULTILINE)]
     holds = result.status in statuses and not missing
     tail = result.text.strip().splitlines()[-2:]
     return what, holds, f"status {result.status}, misses {missing}, ends with {tail}"

@@ -85,15 +85,11 @@ void CompleteOptions(Arguments* arguments) {
   arguments->camera = ReadCalibration(arguments->calibration_file);
 }
 
-// What a reader of the result should know of its drive.
-void TellDrive(const BagDrive& drive, const BagImages& images, std::ostream& out) {
-  if (images.NumMapEdges() > 0) {
-    out << images.NumMapEdges() << " transforms of the map that was made while recording "
-        << drive.bag.string() << " left out\n";
-  }
-  if (const auto reason = images.WhyNotMetric()) {
-    out << drive.robot << ": not in metres: " << *reason << "\n";
-  }
+// An older recording may hold what a mapper published beside it.
+void TellMapEdges(const BagDrive& drive, const BagImages& images, std::ostream& out) {
+  if (images.NumMapEdges() == 0) return;
+  out << images.NumMapEdges() << " transforms of the map that was made while recording "
+      << drive.bag.string() << " left out\n";
 }
 
 // All bags are looked at before the first is mapped.
@@ -123,7 +119,7 @@ void MapDrive(const BagDrive& drive, const Arguments& arguments, OfflineMapper* 
   out << drive.bag.string() << ": " << num_done << " images of " << drive.robot << ", "
       << images.NumRefused() << " messages refused\n";
   for (const auto& [reason, count] : images.Refusals()) CountReason(reason, &run->left_out, count);
-  TellDrive(drive, images, out);
+  TellMapEdges(drive, images, out);
   if (const auto why = images.WhyNotMetric()) run->why_no_scale = *why;
 }
 
