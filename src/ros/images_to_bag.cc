@@ -154,8 +154,8 @@ size_t WriteBag(const DatasetFolder& dataset, const std::string& robot,
     const HoldSecondStop hold;
     writer.Close();
     std::filesystem::rename(unfinished, bag_path);
-  } catch (const rosbag::BagException& error) {
-    throw std::runtime_error(bag_path.string() + ": not written: " + error.what() +
+  } catch (const rosbag::BagException& problem) {
+    throw std::runtime_error(bag_path.string() + ": not written: " + problem.what() +
                              (errno == 0 ? "" : std::string(" (") + std::strerror(errno) + ")"));
   }
   return num_written;
