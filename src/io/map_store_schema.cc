@@ -209,7 +209,7 @@ void OpenSchema(StoreAccess access, StoreDatabase* database) {
   const bool is_new = access == StoreAccess::kCreate && IsEmpty(database);
   if (!is_new) RequireVersion(database);  // before anything of another's file is changed
   if (access != StoreAccess::kRead) {
-    database->Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+    database->Execute("PRAGMA synchronous = EXTRA; PRAGMA journal_mode = WAL");
   }
   if (is_new) MakeTables(database);
 }

@@ -23,7 +23,12 @@ std::optional<Localization> Localizer::Add(const FrameEvent& event) {
     drive.recent.pop_front();
   }
   ForgetOldTracks(&drive);
-  return Pose(event, ViewsOf(event, drive), &drive);
+  std::optional<Localization> pose = Pose(event, ViewsOf(event, drive), &drive);
+  drive.early.erase(drive.early.begin(), drive.early.lower_bound(event.id.index));
+  if (const auto early = drive.early.extract(event.id.index)) {
+    if (auto by_match = Pose(event, ViewsOf(early.mapped()), &drive)) pose = by_match;
+  }
+  return pose;
 }
 
 std::optional<Localization> Localizer::Add(const PlaceMatch& match) {
@@ -31,7 +36,13 @@ std::optional<Localization> Localizer::Add(const PlaceMatch& match) {
   const auto event =
       std::find_if(drive.recent.begin(), drive.recent.end(),
                    [&](const FrameEvent& recent) { return recent.id == match.query; });
-  if (event == drive.recent.end()) return std::nullopt;
+  if (event == drive.recent.end()) {
+    const bool may_come = drive.recent.empty() || drive.recent.back().id < match.query;
+    if (may_come && drive.early.size() < kRecentFrames) {
+      drive.early.insert_or_assign(match.query.index, match);
+    }
+    return std::nullopt;
+  }
   return Pose(*event, ViewsOf(match), &drive);
 }
 

@@ -131,8 +131,9 @@ class RecordedDrive {
   Executor executor_{0};
   MapOptions options_;
   MapKeeper keeper_{options_, &recorder_, &executor_, ResultTiming::kFixed};
-  MapperContext context_{
-      options_, &recorder_, keeper_.LendSessions(), &executor_, ResultTiming::kFixed, nullptr, {}};
+  MapperContext context_{options_,       &recorder_,           keeper_.LendSessions(),
+                         &executor_,     ResultTiming::kFixed, nullptr,
+                         [](Session*) {}};
   std::optional<DriveMapper> a_, b_;
 };
 

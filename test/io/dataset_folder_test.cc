@@ -46,6 +46,7 @@ TEST(ReadDatasetFolder, DoesWithoutOptionalFiles) {
 TEST(ReadDatasetFolder, TakesWhatEditorsAndNumpyWrite) {
   const TemporaryFolder folder;
   WriteDataset(folder);
+  std::filesystem::remove(folder.Path() / "overlaps.txt");
   folder.Write("images/with two blanks.jpg", "");
   folder.Write("times.txt",
                "\xEF\xBB\xBF# timestamp filename\r\n1.000000000000000000e+01 images/a.jpg\r\n"

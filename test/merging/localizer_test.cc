@@ -44,11 +44,18 @@ TEST_F(LocalizerTest, APlaceMatchPosesItsFrameAndTracksThoseThatFollow) {
 }
 
 TEST_F(LocalizerTest, AMatchOfAFrameThatIsNotKnownPosesNothing) {
-  EXPECT_FALSE(localizer_.Add(TrueOverlap(two_, 8, 8)));
+  localizer_.Add(two_.b[9]);
+  EXPECT_FALSE(localizer_.Add(TrueOverlap(two_, 8, 8))) << "its frame never came";
   PlaceMatch nowhere = TrueOverlap(two_, 8, 8);
   nowhere.pairs[0].other.index = 999;
-  localizer_.Add(two_.b[8]);
+  nowhere.query.index = 9;
   EXPECT_FALSE(localizer_.Add(nowhere));
+}
+
+TEST_F(LocalizerTest, AMatchThatComesBeforeItsFrameWaitsForIt) {
+  localizer_.Add(two_.b[7]);
+  EXPECT_FALSE(localizer_.Add(TrueOverlap(two_, 8, 8)));
+  ExpectTrue(localizer_.Add(two_.b[8]), 8);
 }
 
 TEST_F(LocalizerTest, WrongMatchesPoseNothing) {

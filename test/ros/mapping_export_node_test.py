@@ -37,7 +37,7 @@ class MappingExportNodeTest(unittest.TestCase):
     def setUpClass(cls):
         rospy.wait_for_service("/export_map", WAIT_S)
         cls.export = rospy.ServiceProxy("/export_map", ExportMap)
-        cls.folder = pathlib.Path(rospy.get_param("~output_dir"))
+        cls.folder = pathlib.Path(rospy.get_param("/mapping/output_dir"))
         status = Collector("/map_status", MapStatus)
         frames = rospy.Publisher("/rovio1/frames", FrameEventMsg, queue_size=100)
         assert wait_until(lambda: frames.get_num_connections() > 0, WAIT_S)

@@ -74,8 +74,8 @@ class MappingNodeTest(unittest.TestCase):
                          Status.NOT_FOUND)
         self.assertEqual(self.call("/start_session", StartSession, "No robot").status.code,
                          Status.INVALID_ARGUMENT)
-        self.assertEqual(self.call("/export_map", ExportMap, 0, "", "", False).status.code,
-                         Status.FAILED_PRECONDITION)
+        self.assertEqual(self.call("/export_map", ExportMap, 99, "", "", False).status.code,
+                         Status.NOT_FOUND)
         self.assertEqual(self.call("/reset", Reset, False).status.code, Status.INVALID_ARGUMENT)
 
     def test_reset_forgets_and_the_drive_goes_on(self):

@@ -38,6 +38,7 @@ class Localizer {
   // Takes a frame; its pose where enough of its tracks show landmarks.
   std::optional<Localization> Add(const FrameEvent& event);
   // Takes what place recognition says of one of the newest frames; its pose, where that is enough.
+  // A match that comes before its frame waits for it.
   std::optional<Localization> Add(const PlaceMatch& match);
 
   uint64_t num_frames() const { return num_frames_; }
@@ -53,6 +54,7 @@ class Localizer {
   struct Drive {
     std::deque<FrameEvent> recent;
     std::set<uint32_t> posed;              // of them, by index
+    std::map<uint32_t, PlaceMatch> early;  // by the index of frames that are not there yet
     std::map<TrackId, LandmarkRef> shown;  // by the drive's tracks
   };
   struct View {
