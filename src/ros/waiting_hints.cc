@@ -2,18 +2,24 @@
 
 #include <ros/ros.h>
 
+#include <algorithm>
+
 namespace rovio_sfm {
 namespace {
 
 constexpr double kFirstAfterS = 5.0;
 constexpr double kPeriodS = 30.0;
 
+// What others publish; the node's own previews are no answer.
 std::vector<std::string> TopicsOfTypes(const std::set<std::string>& types) {
   ros::master::V_TopicInfo topics;
+  ros::V_string own;
   std::vector<std::string> names;
   if (!ros::master::getTopics(topics)) return names;
+  ros::this_node::getAdvertisedTopics(own);
   for (const ros::master::TopicInfo& topic : topics) {
-    if (types.count(topic.datatype) > 0) names.push_back(topic.name);
+    const bool is_own = std::find(own.begin(), own.end(), topic.name) != own.end();
+    if (types.count(topic.datatype) > 0 && !is_own) names.push_back(topic.name);
   }
   return names;
 }

@@ -9,6 +9,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 import xmlrpc.client
@@ -122,10 +123,13 @@ class ProgramRefusalsTest(unittest.TestCase):
                                             env=environment(master.port), stdout=subprocess.PIPE,
                                             stderr=subprocess.STDOUT)
                     missing = set(words)
+                    limit = threading.Timer(LONG_S, node.kill)
+                    limit.start()
                     for line in node.stdout:
                         missing = {word for word in missing if word not in line}
                         if not missing:
                             break
+                    limit.cancel()
                     node.send_signal(signal.SIGTERM)
                     node.communicate(timeout=LONG_S)
                     self.assertEqual(missing, set())
