@@ -24,7 +24,7 @@ NODES = {
     "frontend": (["_image_latency_s:=now"], "image_latency_s"),
     "mapping": (["_output_dir:=/proc/nowhere"], "/proc/nowhere"),
     "place_recognition": ([f"_vocabulary:={NOWHERE}"], NOWHERE),
-    "rovio_driver": ([f"_credentials_file:={NOWHERE}"], NOWHERE),
+    "rovio_driver": (["_host:=127.0.0.1", f"_credentials_file:={NOWHERE}"], NOWHERE),
 }
 # What a node waits for says so, and that no time passes.
 AWAITED = {
