@@ -31,7 +31,7 @@ TEST_F(MapStoreSchema, IsMadeOnceAndOpenedThen) {
   StoreDatabase database(file_, StoreAccess::kWrite);
   OpenSchema(StoreAccess::kWrite, &database);
   for (const auto& [pragma, expected] :
-       {std::pair("PRAGMA journal_mode", "wal"), std::pair("PRAGMA synchronous", "2"),
+       {std::pair("PRAGMA journal_mode", "wal"), std::pair("PRAGMA synchronous", "3"),
         std::pair("PRAGMA foreign_keys", "1"), std::pair("PRAGMA user_version", "1"),
         std::pair("PRAGMA integrity_check", "ok")}) {
     Rows rows = database.Query(pragma);
