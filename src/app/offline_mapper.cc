@@ -62,10 +62,11 @@ FrameStore* OfflineMapper::ChooseStore() {
 void OfflineMapper::Resume() {
   mapper_.Restore(kept_);
   kept_before_ = mapper_.NextIndices();
+  if (!recognizer_) return;
   for (const auto& [drive, next_index] : kept_before_) {
     for (const uint32_t index : kept_->frames().ReadIndices(drive)) {
       const auto event = kept_->frames().ReadEvent({drive, index}, EventParts::kAll);
-      if (event && recognizer_) recognizer_->Add(*event);
+      if (event) recognizer_->Add(*event);
     }
   }
 }

@@ -1,22 +1,13 @@
 #include "rovio_sfm/ros/export_map.h"
 
-#include <algorithm>
-#include <cctype>
 #include <exception>
 
 #include "rovio_sfm/app/write_map_files.h"
+#include "rovio_sfm/ros/plain_name.h"
 #include "rovio_sfm/ros/status.h"
 
 namespace rovio_sfm {
 namespace {
-
-// A plain folder name: nothing that could lead out of the output folder.
-bool IsFolderName(const std::string& name) {
-  const bool is_plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
-  });
-  return is_plain && name.size() <= 64 && (name.empty() || name.front() != '.');
-}
 
 // Where links in the folder lead elsewhere, nothing is written.
 bool StaysInside(const std::filesystem::path& folder, const std::filesystem::path& output_dir) {
@@ -56,7 +47,7 @@ bool ReadRequest(const std::string& output_dir, const ExportMapRequest& request,
     *status = FailedPrecondition("the parameter ~output_dir is not set");
     return false;
   }
-  if (!IsFolderName(request.name)) {
+  if (!request.name.empty() && !IsPlainName(request.name)) {
     *status =
         InvalidArgument("name: expected at most 64 of A-Z a-z 0-9 _ - ., not beginning with .");
     return false;

@@ -1,12 +1,12 @@
 #include "rovio_sfm/ros/map_store_files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <exception>
 
 #include "rovio_sfm/app/store_folder.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/frame_event_message.h"
+#include "rovio_sfm/ros/plain_name.h"
 #include "rovio_sfm/ros/status.h"
 
 namespace rovio_sfm {
@@ -16,11 +16,8 @@ constexpr char kSuffix[] = ".db";
 constexpr uint32_t kMaxPage = 100;
 
 bool IsStoreName(const std::string& name) {
-  const bool is_plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
-  });
   const size_t length = sizeof(kSuffix) - 1;
-  return is_plain && name.size() > length && name.size() <= 64 && name.front() != '.' &&
+  return IsPlainName(name) && name.size() > length &&
          name.compare(name.size() - length, length, kSuffix) == 0;
 }
 

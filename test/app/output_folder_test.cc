@@ -8,11 +8,11 @@
 namespace rovio_sfm {
 namespace {
 
-const OutputPlace kPlace = {"/home/robin", "", "2026-01-02_03-04-05"};
+const OutputPlace kPlace = {"/people/robin", "", "2026-01-02_03-04-05"};
 
 TEST(NodeOutputFolder, IsADatedOneOfRosHomeWithoutAValue) {
   EXPECT_EQ(NodeOutputFolder("output_dir", "", kPlace),
-            "/home/robin/.ros/rovio_sfm/2026-01-02_03-04-05");
+            "/people/robin/.ros/rovio_sfm/2026-01-02_03-04-05");
   OutputPlace place = kPlace;
   place.ros_home = "/var/ros";
   EXPECT_EQ(NodeOutputFolder("output_dir", "", place), "/var/ros/rovio_sfm/2026-01-02_03-04-05");
@@ -28,8 +28,8 @@ TEST(NodeOutputFolder, IsNeverOneThatIsThere) {
 }
 
 TEST(NodeOutputFolder, ExpandsTheTildeAndRefusesRelativePaths) {
-  EXPECT_EQ(NodeOutputFolder("output_dir", "~/maps", kPlace), "/home/robin/maps");
-  EXPECT_EQ(NodeOutputFolder("output_dir", "~", kPlace), "/home/robin");
+  EXPECT_EQ(NodeOutputFolder("output_dir", "~/maps", kPlace), "/people/robin/maps");
+  EXPECT_EQ(NodeOutputFolder("output_dir", "~", kPlace), "/people/robin");
   EXPECT_EQ(NodeOutputFolder("output_dir", "/maps", kPlace), "/maps");
   for (const char* value : {"maps", "./maps", "~robin/maps"}) {
     try {
