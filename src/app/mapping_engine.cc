@@ -7,6 +7,17 @@
 #include "rovio_sfm/util/check.h"
 
 namespace rovio_sfm {
+namespace {
+
+std::vector<FrameId> NewestFrames(const std::map<DriveId, uint32_t>& next_indices) {
+  std::vector<FrameId> newest;
+  for (const auto& [drive, next_index] : next_indices) {
+    if (next_index > 0) newest.push_back({drive, next_index - 1});
+  }
+  return newest;
+}
+
+}  // namespace
 
 FrameSnapshot FrameOf(const Localization& pose) {
   FrameSnapshot frame;
@@ -58,17 +69,14 @@ void MappingEngine::Resume() {
     if (older != current_drives_.end()) ended_drives_.insert(older->second);
     current_drives_[drive.robot] = drive;
     next_indices_[drive] = next_index;
-    if (next_index > 0) saved_up_to_.push_back({drive, next_index - 1});
   }
+  saved_up_to_ = NewestFrames(state_->mapper.NextIndices());
 }
 
 void MappingEngine::Save() {
   if (!store_ || is_saved_ || localizes()) return;
   if (state_->mapper.SaveTo(&store_->store())) {
-    saved_up_to_.clear();
-    for (const auto& [drive, next_index] : state_->mapper.NextIndices()) {
-      if (next_index > 0) saved_up_to_.push_back({drive, next_index - 1});
-    }
+    saved_up_to_ = NewestFrames(state_->mapper.NextIndices());
   }
   Show();
   is_saved_ = true;  // showing changed nothing
@@ -222,7 +230,14 @@ std::filesystem::path MappingEngine::Load(const std::filesystem::path& other) {
   state_.reset();
   const std::filesystem::path aside = store_->GoOnWith(other);
   BeginAnew();
+  const std::map<std::string, DriveId> running = std::exchange(current_drives_, {});
   Resume();
+  for (const auto& [robot, drive] : running) {  // what is under way is newer than what was loaded
+    const auto loaded = current_drives_.find(robot);
+    if (loaded != current_drives_.end()) ended_drives_.insert(loaded->second);
+    ended_drives_.erase(drive);
+    current_drives_[robot] = drive;
+  }
   Show();
   return aside;
 }

@@ -149,6 +149,23 @@ TEST(MappingEngine, GoesOnWithWhatWasSaved) {
   EXPECT_EQ(picture.counters.keyframes, two.a.size());
 }
 
+TEST(MappingEngine, ADriveGoesOnAfterAMapOfItsRobotWasLoaded) {
+  TemporaryFolder folder, other;
+  const TwoDrives two = MakeTwoDrives();
+  const std::string robot = two.a[0].id.drive.robot;
+  {
+    MappingEngine yesterday({}, StoreIn(other));
+    for (uint32_t i = 0; i < 8; ++i) yesterday.Add(two.a[i]);
+    yesterday.Save();
+  }
+  MappingEngine engine({}, StoreIn(folder));
+  engine.Add(Event(robot, 99, 0));
+  engine.Load(StoreFolder::FileIn(other.Path()));
+  const MapperReport report = engine.Add(Event(robot, 99, 1));
+  EXPECT_NE(report.outcome, MapperOutcome::kRefused) << report.reason;
+  EXPECT_EQ(engine.Add(two.a[8]).outcome, MapperOutcome::kRefused) << "that drive is yesterday's";
+}
+
 TEST(MappingEngine, ResetPutsTheStoreAside) {
   TemporaryFolder folder;
   const TwoDrives two = MakeTwoDrives();
