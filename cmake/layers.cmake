@@ -26,6 +26,8 @@ rovio_library(tracks   LINKS rovio_scene TEST_LINKS rovio_synthetic)
 rovio_library(sfm      LINKS rovio_scene ceres ${OPENCV} TEST_LINKS rovio_synthetic)
 rovio_library(places   LINKS rovio_scene ZLIB::ZLIB TEST_LINKS rovio_synthetic)
 rovio_library(sessions LINKS rovio_scene ceres TEST_LINKS rovio_synthetic)
+rovio_library(dense    LINKS rovio_scene ${OPENCV} TEST_LINKS rovio_synthetic)
+rovio_library(surface  LINKS rovio_scene TEST_LINKS rovio_synthetic)
 rovio_library(io       LINKS rovio_scene ${OPENCV} PkgConfig::YAMLCPP PkgConfig::SQLITE3 TEST_LINKS rovio_synthetic)
 
 # From one drive's images to maps: each room knows the steps, and the rooms above it.
@@ -35,8 +37,9 @@ rovio_library(recognition LINKS ${STEPS} TEST_LINKS rovio_synthetic)
 rovio_library(mapping     LINKS ${STEPS} TEST_LINKS rovio_synthetic)
 rovio_library(merging     LINKS rovio_mapping TEST_LINKS rovio_synthetic)
 rovio_library(report      LINKS ${STEPS} TEST_LINKS rovio_synthetic)
-rovio_library(app         LINKS rovio_frontend rovio_recognition rovio_merging rovio_report
-                                rovio_rovio CLI11::CLI11 TEST_LINKS rovio_synthetic)
+rovio_library(finish      LINKS ${STEPS} rovio_dense rovio_surface TEST_LINKS rovio_synthetic)
+rovio_library(app         LINKS rovio_frontend rovio_recognition rovio_merging rovio_finish
+                                rovio_report rovio_rovio CLI11::CLI11 TEST_LINKS rovio_synthetic)
 rovio_library(tools/trajectory LINKS rovio_app nlohmann_json::nlohmann_json TEST_LINKS rovio_synthetic)
 rovio_library(tools       LINKS rovio_tools_trajectory nlohmann_json::nlohmann_json TEST_LINKS rovio_synthetic)
 if(ROVIO_WITH_ROS)
