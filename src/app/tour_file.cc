@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "rovio_sfm/app/option_reader.h"
+#include "rovio_sfm/util/degrees.h"
 
 namespace rovio_sfm {
 namespace {
@@ -39,7 +40,7 @@ TourWayPoint ReadWayPoint(const YAML::Node& node, const std::string& path) {
     if (center.size() != 2) reader.Fail("arc_center_m", "expected two numbers");
     point.arc_center_m = Eigen::Vector2d(center[0], center[1]);
   }
-  point.pose.yaw_rad = yaw_deg * M_PI / 180.0;
+  point.pose.yaw_rad = Radians(yaw_deg);
   return point;
 }
 

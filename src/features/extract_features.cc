@@ -9,11 +9,11 @@
 #include "rovio_sfm/features/select_keypoints.h"
 #include "rovio_sfm/features/surf_features.h"
 #include "rovio_sfm/util/check.h"
+#include "rovio_sfm/util/degrees.h"
 
 namespace rovio_sfm {
 namespace {
 
-constexpr double kRadOfDeg = 3.14159265358979323846 / 180.0;
 // OpenCV 4.6 doubles the image without the half-pixel shift of the grid: every SIFT position comes
 // out 0.25 px too large, in all octaves.
 constexpr float kSiftShiftPx = 0.25f;
@@ -111,7 +111,7 @@ Keypoint KeypointFrom(const cv::KeyPoint& keypoint, const Eigen::Vector2d& x_nor
   result.x_px = keypoint.pt.x;
   result.y_px = keypoint.pt.y;
   result.size_px = keypoint.size;
-  result.angle_rad = static_cast<float>(keypoint.angle * kRadOfDeg);
+  result.angle_rad = static_cast<float>(Radians(keypoint.angle));
   result.response = keypoint.response;
   result.x_normalized = x_normalized;
   return result;

@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rovio_sfm/util/degrees.h"
+
 namespace rovio_sfm {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 // A SURF feature of scale s covers 20 s pixels; its blob is about 2.5 s wide on either side.
 constexpr double kSizeOfScale = 5.0;
 
@@ -42,7 +43,7 @@ void DescribeSurf(const dlib::integral_image& integral, cv::KeyPoint* keypoint,
   const double angle_rad = dlib::compute_dominant_angle(integral, center, scale);
   dlib::matrix<double, 64, 1> values;
   dlib::compute_surf_descriptor(integral, center, scale, angle_rad, values);
-  keypoint->angle = static_cast<float>(std::fmod(angle_rad * 180.0 / kPi + 360.0, 360.0));
+  keypoint->angle = static_cast<float>(std::fmod(Degrees(angle_rad) + 360.0, 360.0));
   for (const double value : values) {
     data->push_back(
         static_cast<uint8_t>(std::clamp(std::round(128.0 + 256.0 * value), 0.0, 255.0)));

@@ -19,12 +19,12 @@ uint32_t ReadNumber(const std::string& text) {
 }  // namespace
 
 StoredMerges::Face StoredMerges::FaceOf(const MergeEdit& edit) {
-  return {edit.report, edit.accepted_by, edit.sequence, edit.marks, edit.links};
+  return {edit.report, edit.sequence, edit.marks, edit.links};
 }
 
 bool StoredMerges::IsSame(const Face& face, const MergeEdit& edit) {
-  return face.report == edit.report && face.accepted_by == edit.accepted_by &&
-         face.sequence == edit.sequence && face.marks == edit.marks && face.links == edit.links;
+  return face.report == edit.report && face.sequence == edit.sequence && face.marks == edit.marks &&
+         face.links == edit.links;
 }
 
 int64_t StoredMerges::RowOf(const DriveId& drive) const {
@@ -59,7 +59,7 @@ void StoredMerges::PutEdit(const MergeEdit& edit) {
       "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
       edit.report.id, edit.report.query_session.value, edit.report.other_session.value,
       std::string(ToString(edit.report.kind)), std::string(ToString(edit.report.verdict)),
-      edit.report.reason, static_cast<int>(edit.accepted_by), edit.sequence, BlobOf(report),
+      edit.report.reason, static_cast<int>(edit.report.accepted_by), edit.sequence, BlobOf(report),
       BlobOf(match), BlobOf(links), BlobOf(marks));
 }
 
@@ -143,7 +143,7 @@ std::vector<MergeEdit> StoredMerges::ReadEdits() const {
     MergeEdit edit;
     edit.report = ReadReport(rows.Bytes(3), drive_at);
     edit.report.id = static_cast<uint32_t>(rows.Int(0));
-    edit.accepted_by = ReadEnum(rows, 1, AcceptedBy::kHand, "merge_edit.accepted_by");
+    edit.report.accepted_by = ReadEnum(rows, 1, AcceptedBy::kHand, "merge_edit.accepted_by");
     edit.sequence = static_cast<uint32_t>(rows.Int(2));
     edit.match = ReadMatch(rows.Bytes(4), drive_at);
     edit.links = ReadLinks(rows.Bytes(5));

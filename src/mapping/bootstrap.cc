@@ -7,6 +7,7 @@
 
 #include "rovio_sfm/geometry/triangulate.h"
 #include "rovio_sfm/matching/verify_pair.h"
+#include "rovio_sfm/util/degrees.h"
 
 namespace rovio_sfm {
 namespace {
@@ -82,7 +83,7 @@ std::optional<BootstrapPair> TestPair(const std::deque<FrameEvent>& held, size_t
   }
   const double angle =
       WideAngle(points_a, points_b, matches, pair, static_cast<size_t>(options.min_inliers));
-  if (angle < options.min_angle_deg * M_PI / 180.0) return std::nullopt;
+  if (angle < Radians(options.min_angle_deg)) return std::nullopt;
   return BootstrapPair{first, second, pair.cam_b_from_cam_a, angle, pair.inliers.size()};
 }
 
@@ -106,7 +107,7 @@ std::optional<BootstrapPair> FindBootstrapPair(const std::deque<FrameEvent>& hel
   for (size_t first = 0; first + 1 < held.size(); first += step) {
     const auto pair = TestPair(held, first, held.size() - 1, aliases, options, seed);
     if (!pair) continue;
-    if (pair->angle_rad * 180.0 / M_PI >= options.wished_angle_deg) return pair;
+    if (Degrees(pair->angle_rad) >= options.wished_angle_deg) return pair;
     if (!widest || pair->angle_rad > widest->angle_rad) widest = pair;
   }
   return widest;

@@ -14,14 +14,9 @@
 #include "rovio_sfm/mapping/update_scale.h"
 #include "rovio_sfm/mapping/weak_pose.h"
 #include "rovio_sfm/sfm/triangulate_tracks.h"
+#include "rovio_sfm/util/degrees.h"
 
 namespace rovio_sfm {
-namespace {
-
-double Radians(double degrees) { return degrees * M_PI / 180.0; }
-
-}  // namespace
-
 DriveMapper::DriveMapper(const MapperContext& context, DriveId drive, Camera camera)
     : context_(context),
       drive_(std::move(drive)),

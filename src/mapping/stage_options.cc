@@ -2,11 +2,13 @@
 
 #include <cmath>
 
+#include "rovio_sfm/util/degrees.h"
+
 namespace rovio_sfm {
 namespace {
 
 double MinParallaxRad(const MapperOptions& options) {
-  return options.triangulate.min_parallax_deg * M_PI / 180.0;
+  return Radians(options.triangulate.min_parallax_deg);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "rovio_sfm/sfm/estimate_floor_scale.h"
 #include "rovio_sfm/sfm/estimate_scale.h"
 #include "rovio_sfm/sfm/odometry_gate.h"
+#include "rovio_sfm/util/degrees.h"
 
 namespace rovio_sfm {
 namespace {
@@ -13,21 +14,19 @@ namespace {
 constexpr size_t kMinFloorViews = 3;
 constexpr double kUnknownUpSigmaRad = 0.1;  // of a camera taken as level
 
-std::vector<ScaleSample> SamplesOf(const Session& session) {
+std::optional<MapScale> ScaleFromOdometry(const ScaleOptions& options, const Session& session) {
   std::vector<ScaleSample> samples;
+  std::vector<OdometrySample> odometry;
   for (const auto& [index, frame] : session.keyframes()) {
     const auto odom_from_camera = OdomFromCamera(frame.odometry, frame.base_from_camera);
     if (frame.weak || !odom_from_camera) continue;
     samples.push_back({frame.cam_from_session, *odom_from_camera, frame.odometry->yaw_rad});
+    odometry.push_back(*frame.odometry);
   }
-  return samples;
-}
-
-std::optional<MapScale> ScaleFromOdometry(const ScaleOptions& options, const Session& session) {
-  const EstimateScaleOptions estimate{options.min_distance_m,
-                                      options.max_rotation_gap_deg * M_PI / 180.0,
-                                      options.odometry_gain_sigma, options.sideways_sigma};
-  return EstimateScale(SamplesOf(session), estimate);
+  const OdometryGains least{options.odometry_gain_sigma,
+                            std::hypot(options.odometry_gain_sigma, options.sideways_sigma)};
+  return EstimateScale(samples, {options.min_distance_m, Radians(options.max_rotation_gap_deg),
+                                 LearnOdometryGains(odometry, least)});
 }
 
 // A camera whose head moved since the session's start is higher or lower by that much. Where the

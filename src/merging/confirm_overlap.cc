@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "rovio_sfm/util/degrees.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -50,7 +52,7 @@ std::optional<Sim3> SaidBy(const MergeReport& other, const MergeReport& mine,
 
 bool IsSmall(const LoopGap& gap, const MergeOptions& options) {
   return std::abs(gap.log_scale) <= options.max_scale_gap &&
-         gap.rotation_rad <= options.max_rotation_gap_deg * M_PI / 180.0;
+         gap.rotation_rad <= Radians(options.max_rotation_gap_deg);
 }
 
 LoopStatement MeasureLoop(const MergeReport& report, const MergeList& list,

@@ -37,13 +37,11 @@ MapBundle::MapBundle(const std::vector<PlacedSession>& sessions,
 void MapBundle::AddPart(const PlacedSession& placed) {
   part_of_[placed.session->id()] = parts_.size();
   Part part{placed, MakeGlobalBundle(*placed.session),
-            static_cast<uint32_t>(problem_.cameras.size()), static_cast<uint32_t>(parent_.size())};
+            static_cast<uint32_t>(problem_.cameras.size()), num_landmarks_};
   for (const uint32_t frame : part.bundle.frames) {
     problem_.cameras.push_back({CamFromMap(placed, frame), false});
   }
-  for (size_t i = 0; i < part.bundle.tracks.size(); ++i) {
-    parent_.push_back(static_cast<uint32_t>(parent_.size()));
-  }
+  num_landmarks_ += static_cast<uint32_t>(part.bundle.tracks.size());
   parts_.push_back(std::move(part));
 }
 
@@ -73,11 +71,6 @@ std::optional<uint32_t> MapBundle::LandmarkOf(const FeatureRef& feature) const {
   return part->first_landmark + static_cast<uint32_t>(it - tracks.begin());
 }
 
-uint32_t MapBundle::RootOf(uint32_t landmark) const {
-  while (parent_[landmark] != landmark) landmark = parent_[landmark];
-  return landmark;
-}
-
 void MapBundle::Join(const FeatureLink& link, double max_error_sigmas) {
   const auto camera_a = CameraOf(link.a), camera_b = CameraOf(link.b);
   if (!camera_a || !camera_b) return;
@@ -93,7 +86,7 @@ void MapBundle::Join(const FeatureLink& link, double max_error_sigmas) {
 
 // The cameras that see the set of a landmark, given one of its views.
 std::set<uint32_t>& MapBundle::CamerasOf(uint32_t landmark, const FeatureRef& view) {
-  const auto [it, is_new] = cameras_of_.try_emplace(RootOf(landmark));
+  const auto [it, is_new] = cameras_of_.try_emplace(united_.Find(landmark));
   if (!is_new) return it->second;
   for (const Observation& observation :
        ObservedLandmark(*PartOf(view)->placed.session, view)->observations) {
@@ -108,7 +101,7 @@ void MapBundle::Unite(const FeatureLink& link, uint32_t a, uint32_t b, double ma
   const PlacedSession &in_a = PartOf(link.a)->placed, &in_b = PartOf(link.b)->placed;
   const Eigen::Vector3d position_a = ObservedLandmark(*in_a.session, link.a)->position;
   const Eigen::Vector3d position_b = ObservedLandmark(*in_b.session, link.b)->position;
-  if (RootOf(a) == RootOf(b)) return;
+  if (united_.Find(a) == united_.Find(b)) return;
   if (LinkErrorSigmas(in_a, position_a, in_b, link.b) > max_error_sigmas ||
       LinkErrorSigmas(in_b, position_b, in_a, link.a) > max_error_sigmas) {
     return;
@@ -119,20 +112,20 @@ void MapBundle::Unite(const FeatureLink& link, uint32_t a, uint32_t b, double ma
   }
   std::set<uint32_t> united = cameras_a;
   united.insert(cameras_b.begin(), cameras_b.end());
-  const uint32_t root = std::min(RootOf(a), RootOf(b)), other = std::max(RootOf(a), RootOf(b));
-  parent_[other] = root;
-  cameras_of_.erase(other);
+  cameras_of_.erase(united_.Find(a));
+  cameras_of_.erase(united_.Find(b));
+  const uint32_t root = united_.Union(a, b);
   cameras_of_[root] = std::move(united);
 }
 
 // A point for every set of landmarks, at their mean weighted by the number of views.
 void MapBundle::AddPoints() {
-  point_of_.assign(parent_.size(), 0);
+  point_of_.assign(num_landmarks_, 0);
   std::vector<double> weights;
   for (const Part& part : parts_) {
     const std::map<TrackId, Landmark>& landmarks = part.placed.session->landmarks();
     for (uint32_t i = 0; i < part.bundle.tracks.size(); ++i) {
-      const uint32_t landmark = part.first_landmark + i, root = RootOf(landmark);
+      const uint32_t landmark = part.first_landmark + i, root = united_.Find(landmark);
       const Landmark& source = landmarks.at(part.bundle.tracks[i]);
       const auto weight = static_cast<double>(source.observations.size());
       if (root == landmark) {
@@ -159,7 +152,7 @@ void MapBundle::AddObservations() {
   std::set<std::pair<uint32_t, uint32_t>> seen;  // (camera, point): one feature each
   for (const auto& [landmark, feature] : across_) {
     const uint32_t camera = *CameraOf(feature);
-    const auto cameras = cameras_of_.find(RootOf(landmark));
+    const auto cameras = cameras_of_.find(united_.Find(landmark));
     if (cameras != cameras_of_.end() && cameras->second.count(camera) != 0) continue;
     if (!seen.insert({camera, point_of_[landmark]}).second) continue;
     const Keyframe& frame = PartOf(feature)->placed.session->keyframe(feature.frame);
@@ -222,13 +215,13 @@ void MapBundle::Apply() const {
 
 SharedLandmarks MapBundle::FindShared() const {
   std::set<uint32_t> roots;  // of two landmarks and more
-  for (uint32_t landmark = 0; landmark < parent_.size(); ++landmark) {
-    if (RootOf(landmark) != landmark) roots.insert(RootOf(landmark));
+  for (uint32_t landmark = 0; landmark < num_landmarks_; ++landmark) {
+    if (united_.Find(landmark) != landmark) roots.insert(united_.Find(landmark));
   }
   SharedLandmarks shared;
   for (const Part& part : parts_) {
     for (uint32_t i = 0; i < part.bundle.tracks.size(); ++i) {
-      const uint32_t root = RootOf(part.first_landmark + i);
+      const uint32_t root = united_.Find(part.first_landmark + i);
       if (roots.count(root) != 0) shared[{part.placed.session->id(), part.bundle.tracks[i]}] = root;
     }
   }

@@ -59,7 +59,7 @@ void MapKeeper::Repeat(MergeEdit* edit) {
     edit->links = std::move(trial.links);
   }
   edit->report.kind = before.kind == MergeKind::kLoop ? MergeKind::kMerge : before.kind;
-  Accept(edit->accepted_by, edit);
+  Accept(before.accepted_by, edit);
 }
 
 OverlapTrial MapKeeper::Retry(const MergeEdit& edit) {

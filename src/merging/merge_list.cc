@@ -58,7 +58,7 @@ void MergeList::Place() {
 
 void MergeList::Accept(AcceptedBy by, MergeEdit* edit) {
   edit->report.verdict = MergeVerdict::kAccepted;
-  edit->accepted_by = by;
+  edit->report.accepted_by = by;
   edit->sequence = ++num_accepted_;
 }
 

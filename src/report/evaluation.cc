@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rovio_sfm/util/degrees.h"
+
 namespace rovio_sfm {
 namespace {
 
-constexpr double kDegreesPerRadian = 180.0 / M_PI;
 constexpr int64_t kRpeStepNs = 1'000'000'000;  // the relative error is that of a second
 
 // One posed image with its true pose.
@@ -56,8 +57,7 @@ void AddAbsoluteErrors(const std::vector<Compared>& compared, EvaluationReport* 
     const Eigen::Vector3d center = report->world_from_map * c.map_from_cam.translation;
     distances_m.push_back((center - c.world_from_cam.translation).norm());
     const Eigen::Quaterniond rotation = report->world_from_map.rotation * c.map_from_cam.rotation;
-    angles_deg.push_back(RotationAngle(rotation.conjugate() * c.world_from_cam.rotation) *
-                         kDegreesPerRadian);
+    angles_deg.push_back(Degrees(RotationAngle(rotation.conjugate() * c.world_from_cam.rotation)));
   }
   report->ate_rmse_m = RootMeanSquare(distances_m);
   report->ate_p95_m = NearestRank(distances_m, 0.95);
@@ -97,7 +97,7 @@ void AddRelativeErrors(const std::vector<Compared>& compared, EvaluationReport* 
     const Rigid3 truth = Inverse(compared[i].world_from_cam) * compared[*j].world_from_cam;
     const Rigid3 error = Inverse(truth) * moved;
     distances_m.push_back(error.translation.norm());
-    angles_deg.push_back(RotationAngle(error.rotation) * kDegreesPerRadian);
+    angles_deg.push_back(Degrees(RotationAngle(error.rotation)));
   }
   report->num_rpe_pairs = distances_m.size();
   if (distances_m.empty()) return;

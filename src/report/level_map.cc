@@ -6,10 +6,12 @@
 #include <unordered_map>
 #include <utility>
 
+#include "rovio_sfm/util/degrees.h"
+
 namespace rovio_sfm {
 namespace {
 
-constexpr double kMinParallaxRad = 1.5 * M_PI / 180.0;
+constexpr double kMinParallaxRad = Radians(1.5);
 constexpr double kMaxErrorPx = 4.0;
 
 size_t NumRegistered(const SessionSnapshot& session) {

@@ -4,11 +4,13 @@
 
 #include <cmath>
 
+#include "rovio_sfm/util/degrees.h"
+
 namespace rovio_sfm {
 namespace {
 
-constexpr double kHeightVariance = 0.002 * 0.002;                          // m²
-constexpr double kTiltVariance = (0.5 * M_PI / 180) * (0.5 * M_PI / 180);  // rad²
+constexpr double kHeightVariance = 0.002 * 0.002;              // m²
+constexpr double kTiltVariance = Radians(0.5) * Radians(0.5);  // rad²
 
 }  // namespace
 

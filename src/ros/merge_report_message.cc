@@ -11,6 +11,7 @@ MergeReportMsg ToMessage(const MergeReport& report) {
   message.id = report.id;
   message.kind = static_cast<uint8_t>(report.kind);
   message.verdict = static_cast<uint8_t>(report.verdict);
+  message.accepted_by = static_cast<uint8_t>(report.accepted_by);
   message.reason = report.reason;
   message.warning = report.warning;
   message.query = ToMessage(report.query);

@@ -6,10 +6,10 @@ namespace rovio_sfm {
 namespace {
 
 auto FieldsOf(const MergeReport& r) {
-  return std::tie(r.id, r.kind, r.verdict, r.reason, r.warning, r.query, r.other, r.query_session,
-                  r.other_session, r.num_candidates, r.num_matches, r.num_inliers, r.num_common,
-                  r.by_resection, r.query_from_other, r.sigma_log_scale, r.num_expected,
-                  r.num_found, r.num_links, r.error_before_px, r.error_after_px);
+  return std::tie(r.id, r.kind, r.verdict, r.accepted_by, r.reason, r.warning, r.query, r.other,
+                  r.query_session, r.other_session, r.num_candidates, r.num_matches, r.num_inliers,
+                  r.num_common, r.by_resection, r.query_from_other, r.sigma_log_scale,
+                  r.num_expected, r.num_found, r.num_links, r.error_before_px, r.error_after_px);
 }
 
 }  // namespace
@@ -40,6 +40,22 @@ const char* ToString(MergeVerdict verdict) {
       return "refused";
     case MergeVerdict::kUndone:
       return "undone";
+  }
+  return "unknown";
+}
+
+const char* ToString(AcceptedBy by) {
+  switch (by) {
+    case AcceptedBy::kNobody:
+      return "nobody";
+    case AcceptedBy::kEvidence:
+      return "evidence";
+    case AcceptedBy::kSecondOverlap:
+      return "second overlap";
+    case AcceptedBy::kRequest:
+      return "request";
+    case AcceptedBy::kHand:
+      return "hand";
   }
   return "unknown";
 }

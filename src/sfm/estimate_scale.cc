@@ -32,10 +32,10 @@ std::optional<Window> MakeWindow(const ScaleSample& from, const ScaleSample& to,
   }
   const double heading = 0.5 * (from.yaw_rad + to.yaw_rad);
   const double direction = std::atan2(moved_m.y(), moved_m.x()) - heading;
-  const double sideways = std::abs(std::sin(direction));
   Window window;
   window.log_ratio = std::log(moved_m.norm() / moved_units);
-  window.gain_sigma = std::hypot(options.odometry_gain_sigma, options.sideways_sigma * sideways);
+  window.gain_sigma = std::hypot(options.gains.forward_sigma * std::cos(direction),
+                                 options.gains.sideways_sigma * std::sin(direction));
   return window;
 }
 

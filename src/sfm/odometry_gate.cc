@@ -2,13 +2,13 @@
 
 #include <cmath>
 
+#include "rovio_sfm/util/degrees.h"
+
 namespace rovio_sfm {
 namespace {
 
-constexpr double kDegPerRad = 180.0 / M_PI;
-
 double AngleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return kDegPerRad * std::atan2(a.cross(b).norm(), a.dot(b));
+  return Degrees(std::atan2(a.cross(b).norm(), a.dot(b)));
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ bool PassesOdometryGate(const PairMatches& pair, const Rigid3& odom_from_other,
   const Rigid3 by_wheels = Inverse(odom_from_camera) * odom_from_other;  // camera from other
   const Rigid3& by_camera = pair.cam_from_other;
   const double rotation_gap_deg =
-      kDegPerRad * RotationAngle(by_wheels.rotation * by_camera.rotation.conjugate());
+      Degrees(RotationAngle(by_wheels.rotation * by_camera.rotation.conjugate()));
   if (rotation_gap_deg > options.max_rotation_gap_deg) return false;
   const bool has_direction =
       by_wheels.translation.norm() >= options.min_distance_m && by_camera.translation.norm() > 0.0;

@@ -13,6 +13,7 @@ Json ReportJson(const MergeReport& report) {
   return {{"id", report.id},
           {"kind", ToString(report.kind)},
           {"verdict", ToString(report.verdict)},
+          {"accepted_by", ToString(report.accepted_by)},
           {"reason", report.reason},
           {"warning", report.warning},
           {"query", report.query.ToString()},

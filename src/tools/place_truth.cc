@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "rovio_sfm/io/text_file.h"
+#include "rovio_sfm/util/degrees.h"
 
 namespace rovio_sfm {
 namespace {
 
-constexpr double kRadPerDeg = 0.017453292519943295;
 constexpr int64_t kMaxGapNs = 50'000'000;
 
 struct ImageRange {
@@ -97,8 +97,8 @@ PlaceLabel LabelOfPoses(const Rigid3& world_from_a, const Rigid3& world_from_b) 
   const Eigen::Vector3d axis_a = world_from_a.rotation * Eigen::Vector3d::UnitZ();
   const Eigen::Vector3d axis_b = world_from_b.rotation * Eigen::Vector3d::UnitZ();
   const double angle_rad = std::acos(std::clamp(axis_a.dot(axis_b), -1.0, 1.0));
-  if (distance_m > 1.5 || angle_rad > 60.0 * kRadPerDeg) return PlaceLabel::kNegative;
-  const bool is_positive = distance_m <= 0.5 && angle_rad <= 30.0 * kRadPerDeg;
+  if (distance_m > 1.5 || angle_rad > Radians(60.0)) return PlaceLabel::kNegative;
+  const bool is_positive = distance_m <= 0.5 && angle_rad <= Radians(30.0);
   return is_positive ? PlaceLabel::kPositive : PlaceLabel::kBetween;
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "rovio_sfm/util/degrees.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -16,7 +18,7 @@ double RandomSigned(double greatest, Rng* rng) { return greatest * rng->Uniform(
 cv::Matx33d Translation(double x, double y) { return {1, 0, x, 0, 1, y, 0, 0, 1}; }
 
 cv::Matx33d RandomHomography(cv::Size size, const SecondLookOptions& options, Rng* rng) {
-  const double roll_rad = RandomSigned(options.max_roll_deg * M_PI / 180.0, rng);
+  const double roll_rad = RandomSigned(Radians(options.max_roll_deg), rng);
   const double zoom = RandomFactor(options.max_zoom, rng);
   const double cos = zoom * std::cos(roll_rad), sin = zoom * std::sin(roll_rad);
   const double tilt_x = RandomSigned(options.max_perspective, rng) / size.width;

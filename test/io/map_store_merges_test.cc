@@ -19,7 +19,7 @@ std::string AllOf(const MergeEdit& edit) {
   const DriveRowOf row_of = [](const DriveId& drive) { return drive == kQuery.drive ? 2 : 1; };
   return std::to_string(edit.report.id) + " " + ReportBytes(edit.report, row_of) +
          MatchBytes(edit.match, row_of) + LinkBytes(edit.links) + MarkBytes(edit.marks) +
-         std::to_string(int(edit.accepted_by)) + " " + std::to_string(edit.sequence);
+         std::to_string(int(edit.report.accepted_by)) + " " + std::to_string(edit.sequence);
 }
 
 MergeEdit RandomEdit(uint32_t id, Rng& rng) {
@@ -28,7 +28,7 @@ MergeEdit RandomEdit(uint32_t id, Rng& rng) {
   edit.report.id = id;
   edit.match = RandomMatch(kQuery, kOther, rng);
   edit.links = RandomLinks(rng);
-  edit.accepted_by = static_cast<AcceptedBy>(rng.UniformInt(5));
+  edit.report.accepted_by = static_cast<AcceptedBy>(rng.UniformInt(5));
   edit.sequence = rng.UniformInt(9);
   edit.marks = {{{1}, rng.UniformInt(9)}};
   return edit;
@@ -83,7 +83,7 @@ TEST_F(MapStoreMerges, KeepEveryChangeOfAnEdit) {
       {"error_before_px", [&] { edit.report.error_before_px = 4.0; }},
       {"error_after_px", [&] { edit.report.error_after_px = 5.0; }},
       {"no error_after_px", [&] { edit.report.error_after_px.reset(); }},
-      {"accepted_by", [&] { edit.accepted_by = AcceptedBy::kHand; }},
+      {"accepted_by", [&] { edit.report.accepted_by = AcceptedBy::kHand; }},
       {"sequence", [&] { edit.sequence = 77; }},
       {"a mark",
        [&] {

@@ -10,6 +10,7 @@ TEST(MergeReportMessage, SaysWhatAndWhy) {
   report.id = 7;
   report.kind = MergeKind::kLoop;
   report.verdict = MergeVerdict::kProvisional;
+  report.accepted_by = AcceptedBy::kSecondOverlap;
   report.reason = "the inliers lie on one plane";
   report.query = {{"rovio2", 5000000000, 3}, 11};
   report.query_session = {2};
@@ -22,6 +23,7 @@ TEST(MergeReportMessage, SaysWhatAndWhy) {
   EXPECT_EQ(message.kind, MergeReportMsg::LOOP);
   EXPECT_EQ(message.verdict, MergeReportMsg::PROVISIONAL);
   EXPECT_EQ(message.reason, report.reason);
+  EXPECT_EQ(message.accepted_by, MergeReportMsg::SECOND_OVERLAP);
   EXPECT_EQ(message.query.drive.robot, "rovio2");
   EXPECT_EQ(message.query.index, 11u);
   EXPECT_EQ(message.query_session, 2u);
@@ -35,6 +37,8 @@ TEST(MergeReportMessage, SaysWhatAndWhy) {
 TEST(MergeReportMessage, ConstantsOfTheMessageAreThoseOfTheCore) {
   EXPECT_EQ(MergeReportMsg::MERGE, static_cast<uint8_t>(MergeKind::kMerge));
   EXPECT_EQ(MergeReportMsg::SEED, static_cast<uint8_t>(MergeKind::kSeed));
+  EXPECT_EQ(MergeReportMsg::NOBODY, static_cast<uint8_t>(AcceptedBy::kNobody));
+  EXPECT_EQ(MergeReportMsg::HAND, static_cast<uint8_t>(AcceptedBy::kHand));
   EXPECT_EQ(MergeReportMsg::WAITING, static_cast<uint8_t>(MergeVerdict::kWaiting));
   EXPECT_EQ(MergeReportMsg::ACCEPTED, static_cast<uint8_t>(MergeVerdict::kAccepted));
   EXPECT_EQ(MergeReportMsg::REFUSED, static_cast<uint8_t>(MergeVerdict::kRefused));

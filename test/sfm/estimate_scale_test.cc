@@ -61,8 +61,8 @@ TEST(EstimateScale, SigmaNeverFallsBelowTheGainOfTheOdometry) {
   drive.num_frames = 400;
   const auto scale = EstimateScale(MakeDrive(drive), {});
   ASSERT_TRUE(scale);
-  EXPECT_GE(scale->sigma_log, EstimateScaleOptions{}.odometry_gain_sigma);
-  EXPECT_LT(scale->sigma_log, 1.2 * EstimateScaleOptions{}.odometry_gain_sigma);
+  EXPECT_GE(scale->sigma_log, EstimateScaleOptions{}.gains.forward_sigma);
+  EXPECT_LT(scale->sigma_log, 1.2 * EstimateScaleOptions{}.gains.forward_sigma);
 }
 
 TEST(EstimateScale, BearsSlip) {
@@ -114,8 +114,7 @@ TEST(EstimateScale, SigmaDoesNotFallWithTheRateOfFrames) {
   drive.gain_noise = 0.2;
   drive.num_frames = 100;
   EstimateScaleOptions options;
-  options.odometry_gain_sigma = 1e-4;  // the scatter alone
-  options.sideways_sigma = 0.0;
+  options.gains = {1e-4, 1e-4};  // the scatter alone
   const auto samples = MakeDrive(drive);
   const auto once = EstimateScale(samples, options);
   const auto often = EstimateScale(MakeDense(samples, 9), options);

@@ -32,7 +32,6 @@ class StoredMerges {
   // What of an edit may change; its place match never does.
   struct Face {
     MergeReport report;
-    AcceptedBy accepted_by;
     uint32_t sequence;
     std::map<SessionId, uint32_t> marks;
     std::vector<FeatureLink> links;

@@ -98,7 +98,8 @@ struct ScaleOptions {
                     "odometry and vision must agree that well");
     table.AddNumber("odometry_gain_sigma", odometry_gain_sigma, 0.001, 1.0,
                     "relative; averaging never goes below it");
-    table.AddNumber("sideways_sigma", sideways_sigma, 0.0, 1.0, "relative, of sideways motion");
+    table.AddNumber("sideways_sigma", sideways_sigma, 0.0, 1.0,
+                    "sideways beyond it, where the odometry's covariance tells none");
     table.AddNumber("camera_height_m", camera_height_m, 0.0, 10.0,
                     "over a flat floor, head as in the first keyframe; 0: not known");
     table.AddNumber("camera_height_sigma", camera_height_sigma, 0.001, 1.0, "relative");

@@ -12,6 +12,7 @@
 #include "rovio_sfm/scene/map_snapshot.h"
 #include "rovio_sfm/scene/session.h"
 #include "rovio_sfm/sfm/session_bundle.h"
+#include "rovio_sfm/util/union_find.h"
 
 namespace rovio_sfm {
 
@@ -60,7 +61,6 @@ class MapBundle {
   std::optional<uint32_t> CameraOf(const FeatureRef& feature) const;
   std::optional<uint32_t> LandmarkOf(const FeatureRef& feature) const;
   std::set<uint32_t>& CamerasOf(uint32_t landmark, const FeatureRef& view);
-  uint32_t RootOf(uint32_t landmark) const;
   void AddPart(const PlacedSession& placed);
   void Join(const FeatureLink& link, double max_error_sigmas);
   void Unite(const FeatureLink& link, uint32_t a, uint32_t b, double max_error_sigmas);
@@ -71,7 +71,8 @@ class MapBundle {
 
   std::vector<Part> parts_;
   std::map<SessionId, size_t> part_of_;
-  std::vector<uint32_t> parent_;                       // of the landmarks of all parts
+  uint32_t num_landmarks_ = 0;                         // of all parts
+  UnionFind<uint32_t> united_;                         // landmarks that links join
   std::vector<uint32_t> point_of_;                     // in the problem, by landmark
   std::map<uint32_t, std::set<uint32_t>> cameras_of_;  // of linked landmarks, by root
   std::set<std::pair<uint32_t, FeatureRef>> across_;   // landmark, and a feature that sees it too

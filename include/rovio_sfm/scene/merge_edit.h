@@ -10,22 +10,12 @@
 
 namespace rovio_sfm {
 
-// Who took an edit into the map.
-enum class AcceptedBy : uint8_t {
-  kNobody = 0,
-  kEvidence = 1,       // its own
-  kSecondOverlap = 2,  // another one that says the same
-  kRequest = 3,        // merge_sessions
-  kHand = 4,           // placed by the caller, without any overlap
-};
-
 // An overlap that was judged. The accepted ones are what the maps are made of (design 4: merges are
 // a list of edits); undoing takes some out and makes the others again as they were accepted.
 struct MergeEdit {
   MergeReport report;
-  PlaceMatch match;                // no pairs where it was placed by hand
-  std::vector<FeatureLink> links;  // sorted
-  AcceptedBy accepted_by = AcceptedBy::kNobody;
+  PlaceMatch match;                     // no pairs where it was placed by hand
+  std::vector<FeatureLink> links;       // sorted
   uint32_t sequence = 0;                // counts acceptances, from 1
   std::map<SessionId, uint32_t> marks;  // of the sessions' journals, just before it joined two maps
 

@@ -23,14 +23,25 @@ enum class MergeVerdict : uint8_t {
   kRefused = 3,
   kUndone = 4,
 };
+
+// Who took an edit into the map.
+enum class AcceptedBy : uint8_t {
+  kNobody = 0,
+  kEvidence = 1,       // its own
+  kSecondOverlap = 2,  // another one that says the same
+  kRequest = 3,        // merge_sessions
+  kHand = 4,           // placed by the caller, without any overlap
+};
 const char* ToString(MergeKind kind);
 const char* ToString(MergeVerdict verdict);
+const char* ToString(AcceptedBy by);
 
 // What became of one overlap, and why (§4.3, design 5.4).
 struct MergeReport {
   uint32_t id = 0;  // counted from 1; 0 for none
   MergeKind kind = MergeKind::kMerge;
   MergeVerdict verdict = MergeVerdict::kWaiting;
+  AcceptedBy accepted_by = AcceptedBy::kNobody;
   std::string reason;   // one sentence for people
   std::string warning;  // empty if there is none
   FrameId query, other;

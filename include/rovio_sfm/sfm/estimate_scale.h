@@ -6,6 +6,7 @@
 #include "rovio_sfm/geometry/rigid3.h"
 #include "rovio_sfm/scene/frame.h"
 #include "rovio_sfm/scene/map_snapshot.h"
+#include "rovio_sfm/sfm/odometry_gains.h"
 
 namespace rovio_sfm {
 
@@ -19,8 +20,7 @@ struct ScaleSample {
 struct EstimateScaleOptions {
   double min_distance_m = 0.3;
   double max_rotation_gap_rad = 0.035;
-  double odometry_gain_sigma = 0.05;  // floor: averaging never goes below it
-  double sideways_sigma = 0.2;        // gain uncertainty of sideways motion
+  OdometryGains gains;  // averaging never goes below them
 };
 
 // Metres per map unit from wheel odometry (design 5.2.7): the weighted median of log ratios of

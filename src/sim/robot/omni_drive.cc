@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rovio_sfm/util/check.h"
+#include "rovio_sfm/util/degrees.h"
 
 namespace rovio_sfm::sim {
 namespace {
@@ -12,8 +13,8 @@ constexpr int64_t kStep_ns = 5'000'000;
 constexpr double kStep_s = 5e-3;
 constexpr double kTopSpeed_m_per_s = 0.30;  // of speed number 1; number 10 is a tenth of it
 constexpr double kTopTurn_rad_per_s = 2.0;
-constexpr double kDefaultTurn_rad = 20.0 * M_PI / 180.0;
-constexpr double kTurnPerStep_rad = 11.25 * M_PI / 180.0;
+constexpr double kDefaultTurn_rad = Radians(20.0);
+constexpr double kTurnPerStep_rad = Radians(11.25);
 constexpr double kAtRest_m_per_s = 1e-3;
 
 bool IsStepwiseTurn(int drive) { return drive == 17 || drive == 18; }
@@ -150,7 +151,7 @@ void OmniDrive::Move() {
 void OmniDrive::Rock() {
   const double share = kStep_s / options_.rocking_s;
   const double kick = std::sqrt(2.0 * share);
-  constexpr double kTilt_rad = 0.5 * M_PI / 180.0, kHeight_m = 0.002;
+  constexpr double kTilt_rad = Radians(0.5), kHeight_m = 0.002;
   const auto sway = [&](double value, double bound) {
     return Saturate(value * (1.0 - share) + 0.45 * bound * kick * rng_.Gaussian(), bound);
   };

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rovio_sfm/util/degrees.h"
+
 namespace rovio_sfm::sim {
 namespace {
 
 constexpr double kArmForward_m = 0.08;
 constexpr double kLow_m = 0.12, kHigh_m = 0.28;
-constexpr double kMaxTilt_rad = 0.5 * M_PI / 180.0;
+constexpr double kMaxTilt_rad = Radians(0.5);
 constexpr double kMaxHeight_m = 0.002;
 
 double BoundedGaussian(double bound, Rng& rng) {

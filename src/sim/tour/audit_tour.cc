@@ -8,11 +8,11 @@
 #include "rovio_sfm/sim/robot/robot_body.h"
 #include "rovio_sfm/sim/tour/find_overlaps.h"
 #include "rovio_sfm/util/check.h"
+#include "rovio_sfm/util/degrees.h"
 
 namespace rovio_sfm::sim {
 namespace {
 
-constexpr double kDegPerRad = 180.0 / M_PI;
 constexpr int kAhead = 5;  // frames after which a quarter of the points shall be gone
 
 double Quantile(std::vector<double> values, double share) {
@@ -75,7 +75,7 @@ AuditFigures AuditMotion(const Camera& camera, const SimulatedTour& tour) {
     stops.push_back(std::log2(frame.exposure));
     blurs_px.push_back(BlurOf(camera, frame.motion));
     const Eigen::Vector3d up = pose.rotation * -Eigen::Vector3d::UnitY();
-    tilts_deg.push_back(kDegPerRad * std::acos(std::clamp(up.z(), -1.0, 1.0)));
+    tilts_deg.push_back(Degrees(std::acos(std::clamp(up.z(), -1.0, 1.0))));
   }
   return {Within("camera's height, lowest, m", Quantile(heights_m, 0.0), 0.1, 0.3),
           Within("camera's height, highest, m", Quantile(heights_m, 1.0), 0.1, 0.3),

@@ -6,19 +6,18 @@
 #include <stdexcept>
 
 #include "rovio_sfm/sim/world/yaml_map.h"
+#include "rovio_sfm/util/degrees.h"
 #include "rovio_sfm/util/option_checker.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm::sim {
 namespace {
 
-constexpr double kRadPerDeg = M_PI / 180.0;
-
 WayPoint ReadWayPoint(YamlMap map) {
   WayPoint point;
   point.x_m = map.Number("x_m");
   point.y_m = map.Number("y_m");
-  point.yaw_rad = kRadPerDeg * map.Number("yaw_deg");
+  point.yaw_rad = Radians(map.Number("yaw_deg"));
   point.frames = map.Integer("frames", 1);
   if (map.Has("arc_center_m")) {
     const std::vector<double> center_m = map.Numbers("arc_center_m", 2);
@@ -53,7 +52,7 @@ bool EndsAtItsPoint(const WayPoint& from, const WayPoint& to) {
 
 // Nobody puts a robot down exactly on its mark.
 PlanarPose Jitter(const PlanarPose& pose, double step_m, double spread, Rng& rng) {
-  const double yaw_spread = std::min(0.5 * spread * kRadPerDeg * 5.0, 0.02);
+  const double yaw_spread = std::min(0.5 * spread * Radians(5.0), 0.02);
   return {pose.x_m + spread * step_m * rng.Gaussian() * 0.5,
           pose.y_m + spread * step_m * rng.Gaussian() * 0.5,
           pose.yaw_rad + yaw_spread * rng.Gaussian()};

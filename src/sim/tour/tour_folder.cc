@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "rovio_sfm/util/degrees.h"
+
 namespace rovio_sfm::sim {
 namespace {
 
@@ -94,7 +96,7 @@ void TourFolder::WriteOverlaps(const std::string& name,
       TextStream("frame_i frame_j share of pixels covisible, angle in degrees", 4);
   for (const ViewOverlap& overlap : overlaps) {
     out << overlap.first << ' ' << overlap.second << ' ' << overlap.covisible_share << ' '
-        << overlap.angle_rad * 180.0 / M_PI << '\n';
+        << Degrees(overlap.angle_rad) << '\n';
   }
   WriteText(name, out.str());
 }

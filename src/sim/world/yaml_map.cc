@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "rovio_sfm/util/degrees.h"
+
 namespace rovio_sfm::sim {
 namespace {
 
@@ -127,7 +129,6 @@ std::vector<std::vector<double>> YamlMap::Rows(const std::string& key, size_t co
 }
 
 Rigid3 YamlMap::Placement() {
-  constexpr double kRadPerDeg = M_PI / 180.0;
   Rigid3 placement;
   if (Has("at_m")) {
     const std::vector<double> at_m = Numbers("at_m", 3);
@@ -135,9 +136,9 @@ Rigid3 YamlMap::Placement() {
   }
   using Eigen::AngleAxisd;
   using Eigen::Vector3d;
-  placement.rotation = AngleAxisd(Number("yaw_deg", 0.0) * kRadPerDeg, Vector3d::UnitZ()) *
-                       AngleAxisd(Number("pitch_deg", 0.0) * kRadPerDeg, Vector3d::UnitY()) *
-                       AngleAxisd(Number("roll_deg", 0.0) * kRadPerDeg, Vector3d::UnitX());
+  placement.rotation = AngleAxisd(Radians(Number("yaw_deg", 0.0)), Vector3d::UnitZ()) *
+                       AngleAxisd(Radians(Number("pitch_deg", 0.0)), Vector3d::UnitY()) *
+                       AngleAxisd(Radians(Number("roll_deg", 0.0)), Vector3d::UnitX());
   return placement;
 }
 
