@@ -22,7 +22,7 @@ def master(home):
     try:
         yield env
     finally:
-        process.send_signal(signal.SIGINT)
+        process.terminate()
         process.wait(PATIENCE_S)
 
 
