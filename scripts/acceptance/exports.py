@@ -5,16 +5,15 @@ import math
 import os
 import re
 
-import cv2
 import numpy
 
 from acceptance.common import WORK, Line, dataset, fresh_folder, map_images, run
+from comparison.colmap_model import TextModel, root_mean_square, rotation
 
 OFFSCREEN = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
 FORMATS = "tum,ply,ply_ascii,kitti,colmap,colmap_text,bundler,nvm"
 FULL_OPENCV = 6  # as COLMAP numbers its cameras
 MAX_COST_GAP = 0.002
-UNDISTORTION = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 100, 1e-9)
 MIN_TRIANGULATED = 0.8  # of the points; COLMAP's own thresholds are stricter than ours
 OPEN3D = """
 import sys, open3d
@@ -67,32 +66,12 @@ def counts(model, summary):
     return theirs == ours, ", ".join(f"{name.lower()} {theirs[name]:.0f} (ours {ours[name]})" for name in ours)
 
 
-def residuals_of(text_model):
-    """Per projection of a model of one FULL_OPENCV camera, as COLMAP's manual has the format: the
-    residual in the image, and behind undistortion on the plane z = 1."""
-    rows = {name: [line for line in (text_model / f"{name}.txt").read_text().splitlines()
-                   if not line.startswith("#")] for name in ("cameras", "images", "points3D")}
-    parameters = numpy.array(rows["cameras"][0].split()[4:], float)
-    matrix = numpy.array([[parameters[0], 0, parameters[2]], [0, parameters[1], parameters[3]], [0, 0, 1]])
-    points = {int(words[0]): numpy.array(words[1:4], float) for words in map(str.split, rows["points3D"])}
-    in_image, in_plane = [], []
-    for pose, features in zip(rows["images"][::2], rows["images"][1::2]):
-        numbers = numpy.array(pose.split()[1:8], float)
-        seen = [f for f in numpy.array(features.split(), float).reshape(-1, 3) if f[2] >= 0]
-        x = numpy.array([points[int(f[2])] for f in seen]) @ rotation(*numbers[:4]).T + numbers[4:]
-        pixels = numpy.array(seen)[:, :2]
-        expected = cv2.projectPoints(x, numpy.zeros(3), numpy.zeros(3), matrix, parameters[4:])[0]
-        plane = cv2.undistortPointsIter(pixels[:, None], matrix, parameters[4:], None, None, UNDISTORTION)
-        in_image.append(expected[:, 0] - pixels)
-        in_plane.append(x[:, :2] / x[:, 2:] - plane[:, 0])
-    return numpy.concatenate(in_image), numpy.concatenate(in_plane) * parameters[:2].mean()
-
-
 def cost(folder, summary):
     """COLMAP prints the root of half the mean squared residual per coordinate, in the image; our
     summary counts behind undistortion. The same model gives both figures."""
     model = folder / "colmap/sparse/0"
-    in_image, in_plane = map(root_mean_square, residuals_of(folder / "colmap_text/sparse/0"))
+    text = TextModel(folder / "colmap_text/sparse/0")
+    in_image, in_plane = root_mean_square(text.in_image), root_mean_square(text.in_plane) * text.focal_px
     adjusted = fresh_folder("exports/adjusted")
     adjusted.mkdir()
     printed = colmap("bundle_adjuster", "--input_path", model, "--output_path", adjusted,
@@ -133,12 +112,6 @@ def other_formats(quick):
                    + f" (ours {summary['rms_counted_px']:.4f})")
 
 
-def rotation(w, x, y, z):
-    return numpy.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-                        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-                        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
-
-
 def kitti_against_tum(folder):
     """The largest difference of an entry; TUM: stamp, position, quaternion x y z w of map from camera."""
     poses = []
@@ -149,10 +122,6 @@ def kitti_against_tum(folder):
     expected = [(numpy.linalg.inv(poses[0]) @ pose)[:3].ravel() for pose in poses]
     rows = numpy.loadtxt(next((folder / "kitti").glob("*_poses.txt")))
     return numpy.abs(rows - expected).max()
-
-
-def root_mean_square(residuals):
-    return math.sqrt(numpy.mean(numpy.square(residuals)))
 
 
 def bundler_rms(path):

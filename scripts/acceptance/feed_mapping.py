@@ -7,6 +7,7 @@ import contextlib
 import json
 import pathlib
 import random
+import shutil
 import sqlite3
 import subprocess
 import sys
@@ -23,6 +24,7 @@ PATIENCE_S = 120
 ROBOTS = ("rovio1", "rovio2")
 PERIOD_S = 0.04  # between frames
 LONGEST_LIFE_S = 2.5
+LEFT_BYTES = 4 << 20  # on a disk that is to be full soon
 OVERLAP_AT = 19  # camera whose frame is recognised
 
 
@@ -58,9 +60,12 @@ class Feeder:
         wait_for(lambda: all(p.get_num_connections() == 0 for p in self.frames), "end of the last node")
         self.status = None
         node = subprocess.Popen([self.programs / "mapping", f"_output_dir:={self.folder}"],
-                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                                stdout=subprocess.DEVNULL)
         self.nodes.append(node)
-        wait_for(lambda: all(p.get_num_connections() == 1 for p in [*self.frames, self.matches]), "mapping")
+        publishers = [*self.frames, self.matches]
+        wait_for(lambda: node.poll() is not None or all(p.get_num_connections() == 1 for p in publishers), "mapping")
+        if node.poll() is not None:
+            raise RuntimeError(f"mapping ended with {node.returncode}")
         return node
 
     def __enter__(self):
@@ -133,6 +138,8 @@ def kill(feeder, num_kills, seed):
 
 def fill(feeder):
     node = feeder.start()
+    room = shutil.disk_usage(feeder.folder).free
+    (feeder.folder / "filler").write_bytes(b"\0" * max(0, room - LEFT_BYTES))
     end = time.monotonic() + PATIENCE_S
     while not (feeder.status and feeder.status.store_error):
         if time.monotonic() > end or node.poll() is not None:

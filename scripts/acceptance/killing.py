@@ -26,7 +26,7 @@ def killed(quick):
 
 
 def full_disk(_quick):
-    with disk("size=6m") as folder, tempfile.TemporaryDirectory() as home, master(home) as env:
+    with disk("size=200m") as folder, tempfile.TemporaryDirectory() as home, master(home) as env:
         kept = fed(env, "fill", folder)
     holds = kept["lost"] == 0 and kept["whole"] and kept["announcements"] > 0
     return holds, ", ".join(f"{name} {value}" for name, value in kept.items())
