@@ -104,7 +104,7 @@ def render_into(folders, fingerprint, tour, seed, max_frames):
         shutil.rmtree(folder, ignore_errors=True)
         folder.parent.mkdir(parents=True, exist_ok=True)
     run(PROGRAMS / "rovio_sim", "--render", tour, "--out", fresh[NOISE], "--clean-out", fresh[0],
-        "--noise", NOISE, "--seed", seed, "--frames", max_frames, "--threads", THREADS)
+        "--camera", "plain", "--noise", NOISE, "--seed", seed, "--frames", max_frames, "--threads", THREADS)
     for noise, folder in folders.items():
         (fresh[noise] / "fingerprint").write_text(fingerprint)
         stale = folder.with_name(f".{folder.name}.{os.getpid()}.stale")

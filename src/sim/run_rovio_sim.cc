@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,13 @@
 namespace rovio_sfm::sim {
 namespace {
 
+// Of a cheap rolling shutter: exposure of a row, and from the first row to the last.
+constexpr double kRowShutter_s = 1.0 / 60.0, kReadout_s = 0.030;
+
 struct Arguments {
+  std::string camera = "robot";
+  double noise_sigma = 10.0;
+  std::optional<double> rolling_share;  // else the camera's
   std::string images;
   bool repeats = false;
   bool serves = false;
@@ -55,12 +62,33 @@ void AddRenderArguments(CLI::App& app, Arguments* arguments) {
   app.add_option("--threads", render.num_threads, "Threads of --render")->default_val(1);
   app.add_option("--config", arguments->config_folder, "Folder with worlds/ and tours/");
   app.add_option("--seed", render.seed, "Of everything random")->default_val(1);
-  app.add_option("--noise", render.develop.noise_sigma, "Grey levels after decoding; 0: none")
-      ->default_val(render.develop.noise_sigma);
+  app.add_option(
+         "--camera", arguments->camera,
+         "robot: lens blur, Bayer sensor, metering, coarse JPEG, rolling shutter, a calibration "
+         "that errs; plain: none of these, noise that is each pixel's own")
+      ->check(CLI::IsMember({"robot", "plain"}))
+      ->default_val(arguments->camera);
+  app.add_option("--light", render.light, "Time of day: the world's lights drawn anew; 0: its own")
+      ->default_val(render.light);
+  app.add_option("--noise", arguments->noise_sigma, "Grey levels after decoding; 0: none")
+      ->default_val(arguments->noise_sigma);
   app.add_option("--samples", render.render.samples_per_side, "A pixel has this squared samples")
       ->default_val(render.render.samples_per_side);
-  app.add_option("--rolling-shutter", render.render.rolling_share,
+  app.add_option("--rolling-shutter", arguments->rolling_share,
                  "Share of the motion between first and last row, 0 … 0.9");
+}
+
+void ChooseCamera(Arguments* arguments) {
+  const bool is_robot = arguments->camera == "robot";
+  RenderTourOptions& render = arguments->render;
+  if (is_robot) {
+    render.develop = RobotDevelopOptions();
+    render.render.rolling_share = kReadout_s / (kRowShutter_s + kReadout_s);
+    arguments->robot.shutter_s = kRowShutter_s + kReadout_s;
+  }
+  render.errs_in_calibration = is_robot;
+  render.develop.noise_sigma = arguments->noise_sigma;
+  if (arguments->rolling_share) render.render.rolling_share = *arguments->rolling_share;
 }
 
 int AuditByArguments(const Arguments& arguments) {
@@ -79,6 +107,7 @@ int ServeByArguments(Arguments* arguments) {
   robot.serve = arguments->serve;
   robot.config_folder = FindConfigFolder(arguments->config_folder);
   robot.seed = arguments->render.seed;
+  robot.light = arguments->render.light;
   robot.render = arguments->render.render;
   robot.develop = arguments->render.develop;
   return ServeSimulatedRobot(robot);
@@ -109,6 +138,7 @@ int RunRovioSim(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
   }
+  ChooseCamera(&arguments);
   if (!arguments.images.empty()) {
     return ServeImages(arguments.serve, arguments.images, arguments.repeats);
   }

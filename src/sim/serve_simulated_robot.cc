@@ -18,6 +18,7 @@ SimulatedRobotOptions RobotOptionsOf(const ServeRobotOptions& options, const Tou
   robot.exposure = tour.exposure;
   robot.exposure_stops = tour.exposure_stops;
   robot.seed = options.seed;
+  robot.shutter_s = options.shutter_s;
   robot.render = options.render;
   robot.develop = options.develop;
   robot.drive.slip = options.slip;
@@ -39,7 +40,8 @@ int ServeSimulatedRobot(const ServeRobotOptions& options) {
   std::string error;
   if (!options.IsValid(&error)) throw std::runtime_error(error);
   const TourSpec tour = LoadTour(options.config_folder + "/tours/" + options.tour + ".yaml");
-  const World world(LoadWorld(options.config_folder + "/worlds/" + tour.world + ".yaml"));
+  const World world(
+      InLight(LoadWorld(options.config_folder + "/worlds/" + tour.world + ".yaml"), options.light));
   SimulatedRobot robot(world, RobotOptionsOf(options, tour));
   return ServeRobot(options.serve, robot);
 }

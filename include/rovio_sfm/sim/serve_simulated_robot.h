@@ -14,6 +14,8 @@ struct ServeRobotOptions {
   std::string config_folder;
   std::string tour;  // its world, and the first way-point as the start
   uint64_t seed = 1;
+  uint64_t light = 0;             // of InLight
+  double shutter_s = 1.0 / 60.0;  // from the first row's opening to the last row's closing
   RenderOptions render;
   DevelopOptions develop;
   SlipOptions slip;

@@ -32,6 +32,20 @@ Camera RovioCamera() {
   return camera;
 }
 
+Camera DrawCalibration(const Camera& truth, Rng& rng) {
+  constexpr double kFocalSigma = 0.005, kCenterSigma_px = 2.0;
+  const auto draw = [&rng](double sigma) {
+    return std::clamp(sigma * rng.Gaussian(), -3.0 * sigma, 3.0 * sigma);
+  };
+  Camera found = truth;
+  const double focal = 1.0 + draw(kFocalSigma);
+  found.fx *= focal;
+  found.fy *= focal;
+  found.cx += draw(kCenterSigma_px);
+  found.cy += draw(kCenterSigma_px);
+  return found;
+}
+
 Camera ScaleCamera(const Camera& camera, int width, int height) {
   const double x = static_cast<double>(width) / camera.width;
   const double y = static_cast<double>(height) / camera.height;

@@ -15,7 +15,8 @@ constexpr float kBodyRadius_m = 0.16f, kBodyHeight_m = 0.06f;
 constexpr float kInfraredReach_m = 0.5f;
 constexpr double kNorthStarUnitsPerMeter = 4500.0;
 constexpr int64_t kBatteryStep_ns = 60'000'000'000;
-constexpr int kJpegQualities[] = {60, 70, 80};  // of compression ratio 0 … 2, at most
+// Of compression ratio 0 … 2, at most.
+constexpr int kPlainQualities[] = {60, 70, 80}, kRobotQualities[] = {30, 45, 60};
 // Of a VGA picture, by ratio: clients take 10 to 50 kB as usual and drop larger ones as broken.
 constexpr double kVgaBytes[] = {20'000.0, 35'000.0, 50'000.0};
 constexpr double kVgaPixels = 640.0 * 480.0;
@@ -244,7 +245,8 @@ std::optional<CapturedImage> SimulatedRobot::Capture(int64_t time_ns,
   const cv::Mat& light = LightOf(motion, settings.resolution);
   DevelopOptions develop = options_.develop;
   const int ratio = std::clamp(settings.compression_ratio, 0, 2);
-  develop.jpeg_quality = kJpegQualities[ratio];
+  develop.jpeg_quality =
+      (develop.sensor == Sensor::kBayer ? kRobotQualities : kPlainQualities)[ratio];
   develop.max_bytes = std::min(develop.max_bytes, MaxBytesOf(light, ratio));
   const double exposure = ExposureAt(time_ns, settings.brightness);
   return CapturedImage{time_ns, EncodeJpeg(DevelopImage(light, exposure, develop, seed), develop)};

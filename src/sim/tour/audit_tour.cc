@@ -96,13 +96,21 @@ bool IsPublishedCamera(const Camera& camera) {
          camera.width == 640 && camera.height == 480;
 }
 
+// What sets the robot's own camera apart.
+AuditFigures AuditSensor(const DevelopOptions& develop) {
+  return {Within("lens blur, sigma, px", develop.lens_sigma_px, 0.6, 1.2),
+          Within("JPEG quality", develop.jpeg_quality, 30, 60),
+          Within("correlation of the noise of neighbours", DecodedNoise(develop).correlation, 0.3,
+                 0.7)};
+}
+
 AuditFigures AuditCamera(const ImageRenderer& renderer, const DevelopOptions& develop) {
   const int samples = renderer.options().samples_per_side * renderer.options().samples_per_side;
   return {Within("published Rovio intrinsics and distortion (1: yes)",
                  IsPublishedCamera(renderer.camera()) ? 1.0 : 0.0, 1.0, 1.0),
           AtLeast("samples a pixel", samples, 4),
           AtLeast("vignetting: light lost in the corners", develop.vignetting, 0.1),
-          Within("noise after decoding, grey levels", DecodedNoise(develop), 9.0, 11.0)};
+          Within("noise after decoding, grey levels", DecodedNoise(develop).sigma, 9.0, 11.0)};
 }
 
 AuditFigures AuditOdometry(const SlipOptions& options, uint64_t seed) {
@@ -155,20 +163,30 @@ double PlainShare(const cv::Mat& bgr) {
   return total == 0 ? 0.0 : static_cast<double>(plain) / total;
 }
 
-double DecodedNoise(const DevelopOptions& options) {
+NoiseFigures DecodedNoise(const DevelopOptions& options) {
   constexpr int kPictures = 6;
   const cv::Mat wall(240, 320, CV_32FC3, cv::Scalar::all(0.21));  // middle grey, safe from clipping
-  cv::Mat sum(wall.size(), CV_64FC3, cv::Scalar::all(0)), squares = sum.clone();
+  std::vector<cv::Mat> pictures;
+  cv::Mat mean(wall.size(), CV_32FC3, cv::Scalar::all(0));
   for (uint64_t seed = 1; seed <= kPictures; ++seed) {
     const cv::Mat picture = DevelopImage(wall, 1.0, options, seed);
     cv::Mat decoded = cv::imdecode(EncodeJpeg(picture, options), cv::IMREAD_COLOR);
-    decoded.convertTo(decoded, CV_64F);
-    sum += decoded;
-    squares += decoded.mul(decoded);
+    decoded.convertTo(decoded, CV_32F);
+    mean += decoded / kPictures;
+    pictures.push_back(decoded);
   }
-  const cv::Mat variance = (squares - sum.mul(sum) / kPictures) / (kPictures - 1);
-  const cv::Scalar mean = cv::mean(variance);
-  return std::sqrt((mean[0] + mean[1] + mean[2]) / 3.0);
+  double squares = 0.0, products = 0.0, brightness_squares = 0.0;
+  for (const cv::Mat& picture : pictures) {
+    const cv::Mat noise = picture - mean;
+    squares += cv::norm(noise, cv::NORM_L2SQR);
+    cv::Mat brightness;
+    cv::cvtColor(noise, brightness, cv::COLOR_BGR2GRAY);
+    brightness_squares += cv::norm(brightness, cv::NORM_L2SQR);
+    products += brightness.colRange(1, wall.cols).dot(brightness.colRange(0, wall.cols - 1));
+  }
+  const double num_values = 3.0 * static_cast<double>(wall.total()) * (kPictures - 1);
+  if (squares == 0.0) return {};
+  return {std::sqrt(squares / num_values), products / brightness_squares};
 }
 
 AuditFigures AuditTour(const ImageRenderer& renderer, const TourSpec& spec, const SlipOptions& slip,
@@ -183,6 +201,7 @@ AuditFigures AuditTour(const ImageRenderer& renderer, const TourSpec& spec, cons
   append(AuditPictures(renderer, tour, develop, options));
   append(AuditMotion(renderer.camera(), tour));
   append(AuditCamera(renderer, develop));
+  if (develop.sensor == Sensor::kBayer) append(AuditSensor(develop));
   append(AuditOdometry(slip, seed));
   append({Within("odometry is seeded apart from the pictures (1: yes)",
                  OdometryStandsApart(spec, tour, seed), 1.0, 1.0)});

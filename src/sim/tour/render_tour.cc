@@ -93,6 +93,14 @@ NamedOverlaps FindAllOverlaps(const RenderTourOptions& options, const World& wor
   return overlaps;
 }
 
+void WriteCalibrations(const RenderTourOptions& options, const Camera& camera,
+                       const TourFolder& folder) {
+  if (!options.errs_in_calibration) return folder.WriteCalibration("calibration.txt", camera);
+  Rng rng(options.seed ^ 0x6c656e73ULL);
+  folder.WriteCalibration("calibration.txt", DrawCalibration(camera, rng));
+  folder.WriteCalibration("calibration_true.txt", camera);
+}
+
 }  // namespace
 
 bool RenderTourOptions::IsValid(std::string* error) const {
@@ -113,13 +121,14 @@ int RenderTour(const RenderTourOptions& options) {
   const TourSpec spec = LoadTourOf(options, options.tour);
   const SimulatedTour tour = Simulate(options, spec);
   const std::vector<Output> outputs = OpenOutputs(options);
-  const World world(LoadWorld(options.config_folder + "/worlds/" + spec.world + ".yaml"));
+  const World world(
+      InLight(LoadWorld(options.config_folder + "/worlds/" + spec.world + ".yaml"), options.light));
   const Camera camera = RovioCamera();
   const ImageRenderer renderer(world, camera, options.render);
   RenderImages(options, renderer, tour, outputs);
   const NamedOverlaps overlaps = FindAllOverlaps(options, world, camera, spec, tour);
   for (const Output& output : outputs) {
-    output.folder.WriteCalibration(camera);
+    WriteCalibrations(options, camera, output.folder);
     for (const auto& [name, pairs] : overlaps) output.folder.WriteOverlaps(name, pairs);
     output.folder.WriteFrames(tour);
   }

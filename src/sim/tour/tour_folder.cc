@@ -81,13 +81,13 @@ void TourFolder::WriteFrames(const SimulatedTour& tour) const {
   WriteText("times.txt", times.str());
 }
 
-void TourFolder::WriteCalibration(const Camera& camera) const {
+void TourFolder::WriteCalibration(const std::string& name, const Camera& camera) const {
   std::ostringstream out =
       TextStream("fx fy cx cy k1 k2 p1 p2 k3 width height (OpenCV plumb-bob model)", 6);
   out << camera.fx << ' ' << camera.fy << ' ' << camera.cx << ' ' << camera.cy << ' ' << camera.k1
       << ' ' << camera.k2 << ' ' << camera.p1 << ' ' << camera.p2 << ' ' << camera.k3 << ' '
       << camera.width << ' ' << camera.height << '\n';
-  WriteText("calibration.txt", out.str());
+  WriteText(name, out.str());
 }
 
 void TourFolder::WriteOverlaps(const std::string& name,

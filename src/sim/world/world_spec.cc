@@ -1,8 +1,11 @@
 #include "rovio_sfm/sim/world/world_spec.h"
 
+#include <cmath>
 #include <set>
+#include <utility>
 
 #include "rovio_sfm/util/option_checker.h"
+#include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm::sim {
 namespace {
@@ -53,6 +56,14 @@ bool WorldSpec::IsValid(std::string* error) const {
     if (!object_check.Passed()) return false;
   }
   return check.Passed();
+}
+
+WorldSpec InLight(WorldSpec spec, uint64_t time_of_day) {
+  if (time_of_day == 0) return spec;
+  Rng rng(time_of_day ^ 0x6c69676874ULL);
+  spec.ambient *= std::exp2(rng.Uniform(-0.5, 0.5));
+  for (LightSpec& light : spec.lights) light.radiance *= std::exp2(rng.Uniform(-1.0, 1.0));
+  return spec;
 }
 
 }  // namespace rovio_sfm::sim

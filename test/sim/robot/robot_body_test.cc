@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace rovio_sfm::sim {
 namespace {
 
@@ -27,6 +29,22 @@ TEST(DrawRocking, StaysWithinItsBounds) {
     EXPECT_LE(std::abs(rocking.roll_rad), 0.00873);
     EXPECT_LE(std::abs(rocking.height_m), 0.002);
   }
+}
+
+TEST(DrawCalibration, ErrsByItsUncertainty) {
+  const Camera truth = RovioCamera();
+  Rng rng(3);
+  double focal_squares = 0.0, center_squares = 0.0;
+  constexpr int kDraws = 400;
+  for (int i = 0; i < kDraws; ++i) {
+    const Camera found = DrawCalibration(truth, rng);
+    focal_squares += std::pow(found.fx / truth.fx - 1.0, 2) / kDraws;
+    center_squares += std::pow(found.cx - truth.cx, 2) / kDraws;
+    EXPECT_NEAR(found.fy / found.fx, truth.fy / truth.fx, 1e-12);
+    EXPECT_EQ(found.k1, truth.k1);
+  }
+  EXPECT_NEAR(std::sqrt(focal_squares), 0.005, 0.001);
+  EXPECT_NEAR(std::sqrt(center_squares), 2.0, 0.4);
 }
 
 TEST(ScaleCamera, KeepsTheFieldOfView) {

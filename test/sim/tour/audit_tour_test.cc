@@ -17,18 +17,30 @@ TEST(PlainShare, IsOneForAWallAndNoneForNoise) {
 }
 
 TEST(DecodedNoise, IsWhatWasAskedFor) {
-  EXPECT_NEAR(DecodedNoise({}), 10.0, 1.0);
+  EXPECT_NEAR(DecodedNoise({}).sigma, 10.0, 1.0);
   for (const int quality : {60, 70}) {
     DevelopOptions options;
     options.jpeg_quality = quality;
-    EXPECT_NEAR(DecodedNoise(options), 10.0, 1.0) << quality;
+    EXPECT_NEAR(DecodedNoise(options).sigma, 10.0, 1.0) << quality;
   }
+}
+
+TEST(DecodedNoise, IsThatOfNeighboursBehindABayerSensor) {
+  for (const int quality : {30, 45, 60}) {
+    DevelopOptions options = RobotDevelopOptions();
+    options.jpeg_quality = quality;
+    const NoiseFigures noise = DecodedNoise(options);
+    EXPECT_NEAR(noise.sigma, 10.0, 1.0) << quality;
+    EXPECT_GT(noise.correlation, 0.3) << quality;
+    EXPECT_LT(noise.correlation, 0.7) << quality;
+  }
+  EXPECT_NEAR(DecodedNoise({}).correlation, 0.0, 0.15);
 }
 
 TEST(DecodedNoise, IsNoneWithoutNoise) {
   DevelopOptions options;
   options.noise_sigma = 0.0;
-  EXPECT_NEAR(DecodedNoise(options), 0.0, 1e-3);
+  EXPECT_NEAR(DecodedNoise(options).sigma, 0.0, 1e-3);
 }
 
 TEST(AuditTour, NamesWhatASmallTourLacks) {

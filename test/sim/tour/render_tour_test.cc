@@ -51,6 +51,30 @@ TEST_F(RenderTours, BytesDependNeitherOnThreadsNorOnTheTwin) {
             ReadText(temp_.Path() / "clean/images/000000.jpg"));
 }
 
+TEST_F(RenderTours, CalibrationErrsBesideTheTrueOne) {
+  RenderTourOptions options = Options("a");
+  RenderTour(options);
+  const std::string true_camera = ReadText(temp_.Path() / "a/calibration.txt");
+  options.out_folder = temp_.Path() / "b";
+  options.errs_in_calibration = true;
+  RenderTour(options);
+  EXPECT_EQ(ReadText(temp_.Path() / "b/calibration_true.txt"), true_camera);
+  EXPECT_NE(ReadText(temp_.Path() / "b/calibration.txt"), true_camera);
+}
+
+TEST_F(RenderTours, AnotherLightChangesPicturesAndNothingElse) {
+  RenderTourOptions options = Options("a");
+  RenderTour(options);
+  options.out_folder = temp_.Path() / "b";
+  options.light = 5;
+  RenderTour(options);
+  EXPECT_NE(ReadText(temp_.Path() / "a/images/000000.jpg"),
+            ReadText(temp_.Path() / "b/images/000000.jpg"));
+  for (const char* name : {"groundtruth.txt", "odometry.txt", "overlaps.txt"}) {
+    EXPECT_EQ(ReadText(temp_.Path() / "a" / name), ReadText(temp_.Path() / "b" / name)) << name;
+  }
+}
+
 TEST_F(RenderTours, NamesAMissingTour) {
   RenderTourOptions options = Options("a");
   options.tour = "nowhere";

@@ -32,7 +32,7 @@ TEST(TourFolder, WritesTheLayoutOfADataSet) {
 TEST(TourFolder, WritesCalibrationAndOverlaps) {
   const TemporaryFolder temp;
   const TourFolder folder(temp.Path(), false);
-  folder.WriteCalibration(RovioCamera());
+  folder.WriteCalibration("calibration.txt", RovioCamera());
   folder.WriteOverlaps("overlaps.txt", {{0, 3, 0.25, M_PI / 18}});
   EXPECT_NE(ReadText(temp.Path() / "calibration.txt").find("699.282000 687.529000 322.005000"),
             std::string::npos);

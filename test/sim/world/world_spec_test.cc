@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "sim/world/small_world.h"
 
 namespace rovio_sfm::sim {
@@ -26,6 +28,17 @@ TEST(WorldSpec, RefusesTwoTexturesOfOneName) {
   world.textures[1].name = "wall";
   std::string error;
   EXPECT_FALSE(world.IsValid(&error));
+}
+
+TEST(InLight, DrawsEveryLightWithinAStop) {
+  const WorldSpec world = SmallWorldSpec();
+  ASSERT_FALSE(world.lights.empty());
+  EXPECT_EQ(InLight(world, 0).lights[0].radiance, world.lights[0].radiance);
+  for (uint64_t time_of_day = 1; time_of_day < 20; ++time_of_day) {
+    const double change = InLight(world, time_of_day).lights[0].radiance / world.lights[0].radiance;
+    EXPECT_NE(change, 1.0);
+    EXPECT_LE(std::abs(std::log2(change)), 1.0);
+  }
 }
 
 TEST(WorldSpec, RefusesALatheWithOddSides) {

@@ -13,9 +13,12 @@ namespace rovio_sfm::sim {
 // is what the robot's noise hides.
 double PlainShare(const cv::Mat& bgr);
 
-// The noise (grey levels, root mean square of the channels) that a picture of a flat grey surface
-// has after developing, JPEG and decoding.
-double DecodedNoise(const DevelopOptions& options);
+// The noise that a picture of a flat grey surface has after developing, JPEG and decoding.
+struct NoiseFigures {
+  double sigma = 0.0;        // grey levels, root mean square of the channels
+  double correlation = 0.0;  // of the brightness of neighbours in a row
+};
+NoiseFigures DecodedNoise(const DevelopOptions& options);
 
 struct AuditTourOptions {
   int num_pictures = 9;  // rendered for the figures that need them, spread over the tour

@@ -16,7 +16,11 @@ struct RenderTourOptions {
   std::string clean_out_folder;  // if not empty: the same tour without noise, at almost no cost
   bool overwrite = false;
   uint64_t seed = 1;
-  int max_frames = 0;   // only the first so many; 0 means all
+  int max_frames = 0;  // only the first so many; 0 means all
+  uint64_t light = 0;  // of InLight
+  // calibration.txt is what a calibration finds, calibration_true.txt what pictures were made with;
+  // else calibration.txt is true.
+  bool errs_in_calibration = false;
   int num_threads = 1;  // 1 … 64; the bytes do not depend on it
   RenderOptions render;
   DevelopOptions develop;

@@ -20,7 +20,7 @@ class TourFolder {
   void WriteImage(size_t index, const std::vector<uint8_t>& jpeg) const;
   // times.txt, groundtruth.txt, odometry.txt, extrinsics.txt
   void WriteFrames(const SimulatedTour& tour) const;
-  void WriteCalibration(const Camera& camera) const;
+  void WriteCalibration(const std::string& name, const Camera& camera) const;
   // name: overlaps.txt, or overlaps_<tour>.txt for pairs with another tour's pictures.
   void WriteOverlaps(const std::string& name, const std::vector<ViewOverlap>& overlaps) const;
   void WriteText(const std::string& name, const std::string& text) const;

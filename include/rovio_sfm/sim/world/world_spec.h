@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -51,5 +52,9 @@ struct WorldSpec {
 
   bool IsValid(std::string* error) const;
 };
+
+// The world at another time of day: every light, and what is left of it in the corners, brighter or
+// darker by up to a stop. 0: as its file says.
+WorldSpec InLight(WorldSpec spec, uint64_t time_of_day);
 
 }  // namespace rovio_sfm::sim
