@@ -27,7 +27,7 @@ rovio_library(sfm      LINKS rovio_scene ceres ${OPENCV} TEST_LINKS rovio_synthe
 rovio_library(places   LINKS rovio_scene ZLIB::ZLIB TEST_LINKS rovio_synthetic)
 rovio_library(sessions LINKS rovio_scene ceres TEST_LINKS rovio_synthetic)
 rovio_library(dense    LINKS rovio_scene ${OPENCV} TEST_LINKS rovio_synthetic)
-rovio_library(surface  LINKS rovio_scene TEST_LINKS rovio_synthetic)
+rovio_library(surface  LINKS rovio_scene PkgConfig::PCL TEST_LINKS rovio_synthetic)
 rovio_library(io       LINKS rovio_scene ${OPENCV} PkgConfig::YAMLCPP PkgConfig::SQLITE3 TEST_LINKS rovio_synthetic)
 
 # From one drive's images to maps: each room knows the steps, and the rooms above it.

@@ -160,7 +160,7 @@ def main():
     start, port = time.monotonic(), free_ports(len(TOURS))
     graph = Graph(out, [
         "multi.launch", "sim:=true", "robots:=" + ",".join(TOURS),
-        "tours:=" + ",".join(TOURS.values()), f"port:={port}", "seed:=1", "noise:=10",
+        "tours:=" + ",".join(TOURS.values()), f"port:={port}", "seed:=1", "noise:=10", "camera:=plain",
         "drive:=false", f"output_dir:={out / 'map'}", f"vocabulary:={arguments.vocabulary}",
         f"rviz:={str(bool(os.environ.get('DISPLAY'))).lower()}"])
     recorders = {robot: TruthRecorder(port + i) for i, robot in enumerate(TOURS)}

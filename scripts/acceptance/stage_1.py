@@ -98,7 +98,7 @@ def audit(_quick):
     """Every tour's figures; those that fall are named."""
     fallen, count = [], 0
     for name in TOURS:
-        lines = run(PROGRAMS / "rovio_sim", "--audit", name, check=False).splitlines()
+        lines = run(PROGRAMS / "rovio_sim", "--camera", "plain", "--audit", name, check=False).splitlines()
         count += len(lines)
         fallen += [f"{name}: {' '.join(line.split())}" for line in lines if not line.startswith("holds")]
     return count > 0 and not fallen, "; ".join(fallen) or f"{count} figures of {len(TOURS)} tours"

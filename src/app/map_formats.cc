@@ -15,7 +15,7 @@ struct FormatRow {
   bool needs_model;
 };
 
-constexpr std::array<FormatRow, 8> kFormats = {{
+constexpr std::array<FormatRow, 10> kFormats = {{
     {MapFormat::kTum, "tum", "trajectory.txt", false},
     {MapFormat::kPly, "ply", "cloud.ply", false},
     {MapFormat::kPlyAscii, "ply_ascii", "cloud_ascii.ply", false},
@@ -24,6 +24,8 @@ constexpr std::array<FormatRow, 8> kFormats = {{
     {MapFormat::kColmapText, "colmap_text", "colmap_text", true},
     {MapFormat::kBundler, "bundler", "bundler", true},
     {MapFormat::kNvm, "nvm", "nvm", true},
+    {MapFormat::kDense, "dense", "dense.ply", true},
+    {MapFormat::kMesh, "mesh", "mesh.ply", true},
 }};
 
 const FormatRow& RowOf(MapFormat format) {

@@ -6,7 +6,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "rovio_sfm/app/finish_map.h"
 #include "rovio_sfm/io/export_kitti.h"
+#include "rovio_sfm/io/export_ply.h"
 #include "rovio_sfm/io/named_file.h"
 #include "rovio_sfm/report/drive_names.h"
 #include "rovio_sfm/report/level_session.h"
@@ -68,6 +70,16 @@ std::vector<NamedFile> FilesOf(const LevelMap& map, MapFormat format) {
   return {{MainPathOf(format), PlyText(LevelCloud(map), UnitOf(map))}};
 }
 
+bool IsFinished(MapFormat format) {
+  return format == MapFormat::kDense || format == MapFormat::kMesh;
+}
+
+std::vector<NamedFile> FinishedFiles(MapFormat format, const std::string& unit, FinishedMap* map) {
+  const std::string bytes = format == MapFormat::kDense ? DensePlyBytes(map->DenseCloud(), unit)
+                                                        : MeshPlyBytes(map->Surface(), unit);
+  return {{MainPathOf(format), bytes}};
+}
+
 WrittenFiles WriteFiles(const std::vector<NamedFile>& files, const fs::path& folder,
                         Overwrite overwrite) {
   WrittenFiles written;
@@ -106,11 +118,17 @@ WrittenFiles WriteMapFiles(const LevelMap& map, const MapSource& source, const M
   if (overwrite == Overwrite::kRefuse) RequireNoFiles(folder, formats);
   WrittenFiles all;
   std::optional<MapModel> model;
+  std::optional<FinishedMap> finished;
   for (const MapFormat format : formats) {
-    if (NeedsModel(format) && !model) model = source.model_of(map);
+    if (NeedsModel(format) && !model) {
+      model = source.model_of(map);
+      finished.emplace(*model, source.pictures);
+    }
     const WrittenFiles written =
-        NeedsModel(format) ? WriteModelFiles(*model, format, source.pictures, folder, overwrite)
-                           : WriteFiles(FilesOf(map, format), folder, overwrite);
+        IsFinished(format)
+            ? WriteFiles(FinishedFiles(format, UnitOf(map), &*finished), folder, overwrite)
+        : NeedsModel(format) ? WriteModelFiles(*model, format, source.pictures, folder, overwrite)
+                             : WriteFiles(FilesOf(map, format), folder, overwrite);
     all.paths.insert(all.paths.end(), written.paths.begin(), written.paths.end());
     all.num_missing_pictures += written.num_missing_pictures;
   }

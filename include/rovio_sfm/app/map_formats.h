@@ -6,13 +6,24 @@
 namespace rovio_sfm {
 
 // What a map can be written as (docs/exports.md).
-enum class MapFormat { kTum, kPly, kPlyAscii, kKitti, kColmap, kColmapText, kBundler, kNvm };
+enum class MapFormat {
+  kTum,
+  kPly,
+  kPlyAscii,
+  kKitti,
+  kColmap,
+  kColmapText,
+  kBundler,
+  kNvm,
+  kDense,
+  kMesh
+};
 using MapFormats = std::set<MapFormat>;
 
 // A trajectory and a cloud.
 inline const MapFormats kDefaultFormats = {MapFormat::kTum, MapFormat::kPly};
 
-// All names, for help and errors: "tum, ply, ply_ascii, kitti, colmap, colmap_text, bundler, nvm".
+// All names, for help and errors: "tum, ply, ply_ascii, …".
 std::string FormatNames();
 // Reads names with commas between them; an empty text stands for the default. Throws
 // std::runtime_error that names what is not known.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rovio_sfm/scene/frame.h"
+#include "rovio_sfm/scene/point_cloud.h"
 
 namespace rovio_sfm {
 
@@ -22,5 +23,10 @@ struct CloudPoint {
 std::string PlyBytes(const std::vector<CloudPoint>& points, const std::string& length_unit);
 // The same as an ASCII PLY.
 std::string PlyText(const std::vector<CloudPoint>& points, const std::string& length_unit);
+
+// A dense cloud: x y z nx ny nz red green blue views, as binary little-endian PLY.
+std::string DensePlyBytes(const PointCloud& cloud, const std::string& length_unit);
+// A mesh: corners x y z nx ny nz red green blue, faces as lists of three indices.
+std::string MeshPlyBytes(const TriangleMesh& mesh, const std::string& length_unit);
 
 }  // namespace rovio_sfm

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "rovio_sfm/dense/depth_view.h"
+
+namespace rovio_sfm {
+
+struct AgreementOptions {
+  int min_views = 2;          // neighbours that must have the same depth
+  double max_gap = 0.02;      // relative, of depths that are the same
+  double max_shift_px = 1.0;  // at half size, of the pixel carried there and back
+};
+
+// The depths of a view that enough of the other views have found too: the point projected into the
+// other view, its depth there compared, and that point carried back. What is not confirmed is 0.
+DepthMap KeepAgreed(const DepthView& view, const DepthMap& depth,
+                    const std::vector<const DepthView*>& others,
+                    const std::vector<const DepthMap*>& their_depths,
+                    const AgreementOptions& options);
+
+}  // namespace rovio_sfm

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rovio_sfm/scene/map_model.h"
+
+namespace rovio_sfm {
+
+struct NeighborOptions {
+  size_t max_neighbors = 4;
+  size_t min_common = 15;  // points that both see
+  // Of the median angle at common points; outside of it pictures tell little, or look too
+  // different.
+  double min_angle_rad = 0.03, max_angle_rad = 0.5;
+  double best_angle_rad = 0.14;  // 8 deg
+};
+
+// What the sweep of an image works with, from the points that it sees.
+struct ImageSurroundings {
+  double near = 0.0, far = 0.0;     // depths, map units, with some room; 0: it sees too few points
+  std::vector<uint32_t> neighbors;  // indices of images, the best first
+};
+
+// By image of the model.
+std::vector<ImageSurroundings> ChooseNeighbors(const MapModel& model,
+                                               const NeighborOptions& options);
+
+}  // namespace rovio_sfm
