@@ -36,7 +36,7 @@ rovio_library(frontend    LINKS ${STEPS} TEST_LINKS rovio_synthetic)
 rovio_library(recognition LINKS ${STEPS} TEST_LINKS rovio_synthetic)
 rovio_library(mapping     LINKS ${STEPS} TEST_LINKS rovio_synthetic)
 rovio_library(merging     LINKS rovio_mapping TEST_LINKS rovio_synthetic)
-rovio_library(report      LINKS ${STEPS} TEST_LINKS rovio_synthetic)
+rovio_library(report      LINKS ${STEPS} nlohmann_json::nlohmann_json TEST_LINKS rovio_synthetic)
 rovio_library(finish      LINKS ${STEPS} rovio_dense rovio_surface TEST_LINKS rovio_synthetic)
 rovio_library(app         LINKS rovio_frontend rovio_recognition rovio_merging rovio_finish
                                 rovio_report rovio_rovio CLI11::CLI11 TEST_LINKS rovio_synthetic)

@@ -15,7 +15,7 @@ struct FormatRow {
   bool needs_model;
 };
 
-constexpr std::array<FormatRow, 10> kFormats = {{
+constexpr std::array<FormatRow, 12> kFormats = {{
     {MapFormat::kTum, "tum", "trajectory.txt", false},
     {MapFormat::kPly, "ply", "cloud.ply", false},
     {MapFormat::kPlyAscii, "ply_ascii", "cloud_ascii.ply", false},
@@ -26,6 +26,8 @@ constexpr std::array<FormatRow, 10> kFormats = {{
     {MapFormat::kNvm, "nvm", "nvm", true},
     {MapFormat::kDense, "dense", "dense.ply", true},
     {MapFormat::kMesh, "mesh", "mesh.ply", true},
+    {MapFormat::kReport, "report", "report.html", true},
+    {MapFormat::kGrid, "grid", "map.yaml", true},
 }};
 
 const FormatRow& RowOf(MapFormat format) {

@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "rovio_sfm/app/finish_map.h"
+#include "rovio_sfm/app/write_page.h"
+#include "rovio_sfm/finish/grid_files.h"
 #include "rovio_sfm/io/export_kitti.h"
 #include "rovio_sfm/io/export_ply.h"
 #include "rovio_sfm/io/named_file.h"
@@ -70,15 +72,61 @@ std::vector<NamedFile> FilesOf(const LevelMap& map, MapFormat format) {
   return {{MainPathOf(format), PlyText(LevelCloud(map), UnitOf(map))}};
 }
 
+constexpr char kGridPicture[] = "map.pgm";
+
 bool IsFinished(MapFormat format) {
-  return format == MapFormat::kDense || format == MapFormat::kMesh;
+  return format == MapFormat::kDense || format == MapFormat::kMesh ||
+         format == MapFormat::kReport || format == MapFormat::kGrid;
 }
 
-std::vector<NamedFile> FinishedFiles(MapFormat format, const std::string& unit, FinishedMap* map) {
-  const std::string bytes = format == MapFormat::kDense ? DensePlyBytes(map->DenseCloud(), unit)
-                                                        : MeshPlyBytes(map->Surface(), unit);
-  return {{MainPathOf(format), bytes}};
-}
+// One map on its way into files; what is made of it is made once. Borrows all that it is given.
+class MapInWork {
+ public:
+  MapInWork(const LevelMap& map, const MapSource& source, const MapFormats& formats)
+      : map_(map),
+        source_(source),
+        formats_(formats),
+        model_(source.model_of(map)),
+        finished_(model_, source.pictures) {}
+  MapInWork(const MapInWork&) = delete;
+  MapInWork& operator=(const MapInWork&) = delete;
+
+  const MapModel& model() const { return model_; }
+
+  std::vector<NamedFile> FilesOf(MapFormat format) {
+    if (format == MapFormat::kGrid) return GridFiles();
+    return {{MainPathOf(format), BytesOf(format)}};
+  }
+
+ private:
+  std::string BytesOf(MapFormat format) {
+    if (format == MapFormat::kDense) return DensePlyBytes(finished_.DenseCloud(), UnitOf(map_));
+    if (format == MapFormat::kMesh) return MeshPlyBytes(finished_.Surface(), UnitOf(map_));
+    return PageText(Page());
+  }
+
+  std::vector<NamedFile> GridFiles() {
+    const bool has_dense = formats_.count(MapFormat::kDense) != 0;
+    const OccupancyGridMap grid =
+        MakeGrid(model_, has_dense ? &finished_.DenseCloud() : nullptr, {});
+    return {{kGridPicture, GridPgm(grid)},
+            {MainPathOf(MapFormat::kGrid), GridYaml(grid, kGridPicture)}};
+  }
+
+  // The page shows what is written beside it.
+  std::string Page() {
+    const bool has_mesh = formats_.count(MapFormat::kMesh) != 0;
+    const bool has_dense = formats_.count(MapFormat::kDense) != 0;
+    return PageDataJson(map_, model_, source_.notes, has_dense ? &finished_.DenseCloud() : nullptr,
+                        has_mesh ? &finished_.Surface() : nullptr);
+  }
+
+  const LevelMap& map_;
+  const MapSource& source_;
+  const MapFormats& formats_;
+  const MapModel model_;
+  FinishedMap finished_;
+};
 
 WrittenFiles WriteFiles(const std::vector<NamedFile>& files, const fs::path& folder,
                         Overwrite overwrite) {
@@ -117,18 +165,20 @@ WrittenFiles WriteMapFiles(const LevelMap& map, const MapSource& source, const M
                            const fs::path& folder, Overwrite overwrite) {
   if (overwrite == Overwrite::kRefuse) RequireNoFiles(folder, formats);
   WrittenFiles all;
-  std::optional<MapModel> model;
-  std::optional<FinishedMap> finished;
+  std::optional<MapInWork> work;
   for (const MapFormat format : formats) {
-    if (NeedsModel(format) && !model) {
-      model = source.model_of(map);
-      finished.emplace(*model, source.pictures);
+    if (format == MapFormat::kGrid && !map.scale) {
+      all.left_out.push_back("grid: not written, as the map is not metric");
+      continue;
+    }
+    if (NeedsModel(format) && !work) {
+      work.emplace(map, source, formats);
     }
     const WrittenFiles written =
-        IsFinished(format)
-            ? WriteFiles(FinishedFiles(format, UnitOf(map), &*finished), folder, overwrite)
-        : NeedsModel(format) ? WriteModelFiles(*model, format, source.pictures, folder, overwrite)
-                             : WriteFiles(FilesOf(map, format), folder, overwrite);
+        IsFinished(format) ? WriteFiles(work->FilesOf(format), folder, overwrite)
+        : NeedsModel(format)
+            ? WriteModelFiles(work->model(), format, source.pictures, folder, overwrite)
+            : WriteFiles(FilesOf(map, format), folder, overwrite);
     all.paths.insert(all.paths.end(), written.paths.begin(), written.paths.end());
     all.num_missing_pictures += written.num_missing_pictures;
   }
@@ -136,6 +186,7 @@ WrittenFiles WriteMapFiles(const LevelMap& map, const MapSource& source, const M
 }
 
 void PrintWritten(const WrittenFiles& written, std::ostream& out) {
+  for (const std::string& sentence : written.left_out) out << sentence << "\n";
   for (const fs::path& path : written.paths) out << "wrote " << path.string() << "\n";
   if (written.num_missing_pictures > 0) {
     out << written.num_missing_pictures << " pictures were not at hand and are not among them\n";

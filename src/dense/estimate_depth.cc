@@ -53,40 +53,22 @@ cv::Mat Correlate(const Windows& view, const cv::Mat& neighbor_grey, const cv::M
                       cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT, 0);
   const Windows seen = MakeWindows(warped, options.window_px);
   const cv::Mat products = WindowMean(view.values.mul(seen.values), options.window_px);
-  cv::Mat correlation(view.values.size(), CV_32F);
-  const auto min_variance = static_cast<float>(0.25 * options.min_contrast * options.min_contrast);
-  for (int row = 0; row < correlation.rows; ++row) {
-    const float *product = products.ptr<float>(row), *mean = view.mean.ptr<float>(row),
-                *variance = view.variance.ptr<float>(row), *mean_seen = seen.mean.ptr<float>(row),
-                *variance_seen = seen.variance.ptr<float>(row);
-    const auto* inside = warped.ptr<uint8_t>(row);
-    auto* result = correlation.ptr<float>(row);
-    for (int col = 0; col < correlation.cols; ++col) {
-      const float energy = variance[col] * variance_seen[col];
-      const bool counts = inside[col] != 0 && variance_seen[col] > min_variance && energy > 0.0f;
-      result[col] =
-          counts ? (product[col] - mean[col] * mean_seen[col]) / std::sqrt(energy) : kNothing;
-    }
-  }
+  cv::Mat energy = view.variance.mul(seen.variance), correlation;
+  cv::sqrt(cv::max(energy, 1e-3), energy);
+  cv::divide(products - view.mean.mul(seen.mean), energy, correlation);
+  const double min_variance = 0.25 * options.min_contrast * options.min_contrast;
+  correlation.setTo(kNothing, (warped == 0) | (seen.variance <= min_variance));
   return correlation;
 }
 
-// The mean of the better half of the neighbours, by pixel.
+// The mean of the better half of the neighbours (of at most four: two), by pixel.
 cv::Mat BetterHalf(const std::vector<cv::Mat>& correlations) {
-  const size_t half = (correlations.size() + 1) / 2;
-  cv::Mat score(correlations[0].size(), CV_32F);
-  std::vector<float> values(correlations.size());
-  for (int row = 0; row < score.rows; ++row) {
-    for (int col = 0; col < score.cols; ++col) {
-      for (size_t i = 0; i < values.size(); ++i) values[i] = correlations[i].at<float>(row, col);
-      std::partial_sort(values.begin(), values.begin() + static_cast<long>(half), values.end(),
-                        std::greater<>());
-      float sum = 0.0f;
-      for (size_t i = 0; i < half; ++i) sum += values[i];
-      score.at<float>(row, col) = sum / static_cast<float>(half);
-    }
+  cv::Mat best(correlations[0].size(), CV_32F, cv::Scalar(kNothing)), second = best.clone();
+  for (const cv::Mat& correlation : correlations) {
+    second = cv::max(second, cv::min(best, correlation));
+    best = cv::max(best, correlation);
   }
-  return score;
+  return correlations.size() == kMinNeighbors ? best : cv::Mat(0.5 * (best + second));
 }
 
 // Inverse depths of the planes, from the nearest to the farthest.

@@ -38,6 +38,7 @@ void Write(const LevelMap& map, const MapSource& source, const MapFormats& forma
   if (written.num_missing_pictures > 0) {
     message += "; " + std::to_string(written.num_missing_pictures) + " pictures were not at hand";
   }
+  for (const std::string& sentence : written.left_out) message += "; " + sentence;
   response->status = Ok(message);
 }
 

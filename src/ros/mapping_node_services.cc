@@ -114,7 +114,8 @@ bool MappingNode::ExportMap(ExportMapRequest& request, ExportMapResponse& respon
                            if (!parts.model) throw std::runtime_error(parts.error);
                            return std::move(*parts.model);
                          },
-                         [&](const ModelImage& image) { return ImageOf(image.id, events); }};
+                         [&](const ModelImage& image) { return ImageOf(image.id, events); },
+                         PageNotes{*engine_.Picture().merges, {}, {}, {}}};
   response = ExportMapFiles(*parts.snapshot, source, options_.output_dir, request);
   return true;
 }

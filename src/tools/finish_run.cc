@@ -38,12 +38,27 @@ void Complete(const RunToFinish& finish, MapRun* run) {
   run->peak_rss_mb = PeakRssMb();
 }
 
+PageNotes NotesOf(const MapRun& run) {
+  PageNotes notes;
+  notes.merges = run.merges;
+  for (const auto& [stage, total] : run.stages) {
+    const auto num_images = static_cast<double>(std::max<size_t>(run.num_images, 1));
+    notes.stage_ms.push_back({stage, 1e-6 * static_cast<double>(total.total_ns) / num_images});
+  }
+  const std::string why = WhyInMapUnits(run);
+  if (!why.empty()) notes.warnings.push_back("Not metric: " + why + ".");
+  for (const auto& [reason, count] : run.left_out) {
+    notes.warnings.push_back(std::to_string(count) + " × left out: " + reason);
+  }
+  return notes;
+}
+
 std::vector<WrittenMap> WriteResults(const RunToFinish& finish, const MapRun& run, Json summary,
                                      Overwrite overwrite) {
   if (run.stopped && FindMapsBySize(*run.snapshot).empty()) return {};
   const HoldSecondStop hold;
   const MapSource source{[&](const LevelMap& map) { return finish.mapper->ModelOf(map); },
-                         finish.pictures};
+                         finish.pictures, NotesOf(run)};
   std::vector<WrittenMap> maps = WriteAllMaps(*run.snapshot, source, finish.arguments->formats,
                                               finish.arguments->out, overwrite);
   summary.update(MapSummaryJson(run));

@@ -16,7 +16,9 @@ enum class MapFormat {
   kBundler,
   kNvm,
   kDense,
-  kMesh
+  kMesh,
+  kReport,
+  kGrid
 };
 using MapFormats = std::set<MapFormat>;
 

@@ -10,6 +10,7 @@
 #include "rovio_sfm/app/write_model_files.h"
 #include "rovio_sfm/merging/localizer.h"
 #include "rovio_sfm/report/level_map.h"
+#include "rovio_sfm/report/page_data.h"
 
 namespace rovio_sfm {
 
@@ -24,6 +25,7 @@ std::string MapCloudBytes(const LevelMap& map);
 struct MapSource {
   std::function<MapModel(const LevelMap&)> model_of;
   PictureSource pictures;
+  PageNotes notes;  // of the report
 };
 
 // Throws std::runtime_error naming the first file or folder of these formats that is there already.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "rovio_sfm/app/map_formats.h"
@@ -19,6 +20,7 @@ using PictureSource =
 struct WrittenFiles {
   std::vector<std::filesystem::path> paths;  // absolute; of a folder of pictures the folder
   size_t num_missing_pictures = 0;           // of those that a format wants, all formats together
+  std::vector<std::string> left_out;         // sentences: formats that the map cannot be written in
 };
 
 // Writes a model below a folder in one of the formats that need one: colmap/ and colmap_text/ are

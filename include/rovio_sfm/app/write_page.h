@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace rovio_sfm {
+
+// The page of a map (config/page), whole in one text: template, viewer, data (PageDataJson) and
+// three.js with its OrbitControls from Debian's libjs-three. Throws std::runtime_error naming a
+// file that is missing, and the package that has it.
+std::string PageText(const std::string& data_json);
+
+}  // namespace rovio_sfm

@@ -1,0 +1,142 @@
+#include "rovio_sfm/finish/make_grid.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+namespace rovio_sfm {
+namespace {
+
+constexpr double kMaxExtent_m = 200.0;  // a stray point does not make a grid of a town
+
+// How often rays, and points, fell into cells.
+class CellCounts {
+ public:
+  CellCounts(const Eigen::AlignedBox2d& area, double resolution_m)
+      : resolution_m_(resolution_m),
+        origin_m_(area.min()),
+        width_(static_cast<int>(std::ceil(area.sizes().x() / resolution_m))),
+        height_(static_cast<int>(std::ceil(area.sizes().y() / resolution_m))),
+        rays_(static_cast<size_t>(width_) * static_cast<size_t>(height_), 0.0),
+        points_(rays_.size(), 0) {}
+
+  void AddPoint(const Eigen::Vector2d& x_m) {
+    if (const auto cell = CellOf(x_m)) ++points_[*cell];
+  }
+
+  // Every cell between, but for the last two before the point: it may stand at their edge.
+  void AddRay(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) {
+    const double length_m = (to_m - from_m).norm(), step_m = 0.5 * resolution_m_;
+    for (double way_m = 0.0; way_m < length_m - 2.0 * resolution_m_; way_m += step_m) {
+      if (const auto cell = CellOf(from_m + way_m / length_m * (to_m - from_m))) {
+        rays_[*cell] += 0.5;
+      }
+    }
+  }
+
+  void AddDisc(const Eigen::Vector2d& center_m, double radius_m, double weight) {
+    for (double y = -radius_m; y <= radius_m; y += resolution_m_) {
+      for (double x = -radius_m; x <= radius_m; x += resolution_m_) {
+        if (std::hypot(x, y) > radius_m) continue;
+        if (const auto cell = CellOf(center_m + Eigen::Vector2d(x, y))) rays_[*cell] += weight;
+      }
+    }
+  }
+
+  // A cell that many more rays pass than points lie in is free: what stands there is thin or wrong.
+  OccupancyGridMap Judge(const GridOptions& options) const {
+    constexpr double kRaysPerPoint = 4.0;
+    OccupancyGridMap grid{resolution_m_, origin_m_, width_, height_, {}};
+    for (size_t i = 0; i < rays_.size(); ++i) {
+      const bool occupied =
+          points_[i] >= options.min_points && rays_[i] < kRaysPerPoint * points_[i];
+      const bool free = !occupied && rays_[i] >= options.min_free;
+      grid.cells.push_back(occupied ? GridCell::kOccupied
+                           : free   ? GridCell::kFree
+                                    : GridCell::kUnknown);
+    }
+    return grid;
+  }
+
+ private:
+  std::optional<size_t> CellOf(const Eigen::Vector2d& x_m) const {
+    const int column = static_cast<int>(std::floor((x_m.x() - origin_m_.x()) / resolution_m_));
+    const int row = static_cast<int>(std::floor((x_m.y() - origin_m_.y()) / resolution_m_));
+    if (column < 0 || row < 0 || column >= width_ || row >= height_) return std::nullopt;
+    return static_cast<size_t>(row) * static_cast<size_t>(width_) + static_cast<size_t>(column);
+  }
+
+  double resolution_m_;
+  Eigen::Vector2d origin_m_;
+  int width_, height_;
+  std::vector<double> rays_;
+  std::vector<int> points_;
+};
+
+bool IsInBand(double z_m, const GridOptions& options) {
+  return z_m >= options.min_height_m && z_m <= options.max_height_m;
+}
+
+// Cameras, and points in the band near them.
+Eigen::AlignedBox2d AreaOf(const MapModel& model, const GridOptions& options) {
+  Eigen::AlignedBox2d cameras;
+  for (const ModelImage& image : model.images)
+    cameras.extend(OriginInA(image.cam_from_map).head<2>());
+  const double reach_m = std::min(options.max_range_m, kMaxExtent_m);
+  Eigen::AlignedBox2d area = cameras;
+  for (const ModelPoint& point : model.points) {
+    const Eigen::Vector2d x = point.x_in_map.head<2>();
+    if (IsInBand(point.x_in_map.z(), options) && cameras.exteriorDistance(x) < reach_m)
+      area.extend(x);
+  }
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(options.margin_m);
+  return {area.min() - margin, area.max() + margin};
+}
+
+// A ray is over the floor only where it runs in the robot's height: from a camera in the band to a
+// point in it. What lies above or on the floor is seen across free floor up to there.
+void AddRays(const MapModel& model, const GridOptions& options, CellCounts* counts) {
+  for (const ModelPoint& point : model.points) {
+    const double z_m = point.x_in_map.z();
+    if (z_m < -options.min_height_m || z_m > options.max_height_m) continue;
+    const bool occupies = IsInBand(z_m, options);
+    if (occupies) counts->AddPoint(point.x_in_map.head<2>());
+    for (const ModelView& view : point.views) {
+      const Eigen::Vector3d center = OriginInA(model.images[view.image].cam_from_map);
+      const double range_m = (point.x_in_map - center).norm();
+      if (range_m > options.max_range_m) continue;
+      counts->AddRay(center.head<2>(), point.x_in_map.head<2>());
+      if (occupies) counts->AddPoint(point.x_in_map.head<2>());
+    }
+  }
+}
+
+}  // namespace
+
+OccupancyGridMap MakeGrid(const MapModel& model, const PointCloud* dense,
+                          const GridOptions& options) {
+  if (model.length_unit != "metres") {
+    throw std::invalid_argument("grid: unit of the map = " + model.length_unit +
+                                ": expected metres; a grid needs a metric map");
+  }
+  if (model.images.empty()) return {};
+  CellCounts counts(AreaOf(model, options), options.resolution_m);
+  AddRays(model, options, &counts);
+  if (dense != nullptr) {
+    for (const DensePoint& point : *dense) {
+      if (!IsInBand(point.position.z(), options)) continue;
+      for (uint32_t i = 0; i < point.num_views; ++i) {
+        counts.AddPoint(point.position.head<2>().cast<double>());
+      }
+    }
+  }
+  for (const ModelImage& image : model.images) {
+    const Eigen::Vector2d center = OriginInA(image.cam_from_map).head<2>();
+    counts.AddDisc(center, options.robot_radius_m, options.min_free + 1.0);
+  }
+  return counts.Judge(options);
+}
+
+}  // namespace rovio_sfm
