@@ -54,6 +54,8 @@ void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
       ->excludes(overwrite)
       ->excludes(resume)
       ->excludes("--seeded");
+  app->add_flag("--keep-images", arguments->mapper.frontend.keep_images,
+                "map.db keeps the pictures, for depth and exports");
   app->add_flag("!--no-store", arguments->store, "keep no map.db: nothing to resume from")
       ->excludes(resume);
 }

@@ -27,6 +27,7 @@ struct Arguments {
   bool repeats = false;
   bool serves = false;
   std::vector<std::string> audit;  // [world,] tour
+  std::string surface;             // tour
   std::string config_folder;
   ServeOptions serve;
   ServeRobotOptions robot;   // tour, seed, noise and shutter of --serve
@@ -52,6 +53,8 @@ void AddServeArguments(CLI::App& app, Arguments* arguments) {
 void AddRenderArguments(CLI::App& app, Arguments* arguments) {
   RenderTourOptions& render = arguments->render;
   app.add_option("--render", render.tour, "Render this tour, as fast as it goes, into --out");
+  app.add_option("--surface", arguments->surface,
+                 "Write what this tour sees of the true surfaces as the PLY file --out");
   app.add_option("--audit", arguments->audit, "[WORLD] TOUR: print the figures that keep it honest")
       ->expected(1, 2);
   app.add_option("--out", render.out_folder, "Folder for the data set of --render");
@@ -113,6 +116,15 @@ int ServeByArguments(Arguments* arguments) {
   return ServeSimulatedRobot(robot);
 }
 
+int SurfaceByArguments(Arguments* arguments) {
+  arguments->render.config_folder = FindConfigFolder(arguments->config_folder);
+  arguments->render.tour = arguments->surface;
+  const size_t count = WriteTourSurface(arguments->render);
+  std::cout << count << " points of " << arguments->surface << " in "
+            << std::filesystem::absolute(arguments->render.out_folder).string() << std::endl;
+  return 0;
+}
+
 int RenderByArguments(Arguments* arguments) {
   arguments->render.config_folder = FindConfigFolder(arguments->config_folder);
   const int count = RenderTour(arguments->render);
@@ -142,6 +154,7 @@ int RunRovioSim(int argc, const char* const* argv) {
   if (!arguments.images.empty()) {
     return ServeImages(arguments.serve, arguments.images, arguments.repeats);
   }
+  if (!arguments.surface.empty()) return SurfaceByArguments(&arguments);
   if (!arguments.render.tour.empty()) return RenderByArguments(&arguments);
   if (!arguments.audit.empty()) return AuditByArguments(arguments);
   if (arguments.serves) return ServeByArguments(&arguments);

@@ -110,5 +110,34 @@ TEST(MapCloudBytes, SaysItsUnit) {
   EXPECT_NE(MapCloudBytes(map).find("metres"), std::string::npos);
 }
 
+TEST(WriteMapFiles, LeavesOutAGridOfAMapThatIsNotMetric) {
+  const TemporaryFolder folder;
+  const WrittenFiles written =
+      WriteMapFiles(SmallMap(1), {}, ReadFormats("tum,grid"), folder.Path(), Overwrite::kRefuse);
+  EXPECT_EQ(written.paths.size(), 1u);
+  ASSERT_EQ(written.left_out.size(), 1u);
+  EXPECT_NE(written.left_out[0].find("grid"), std::string::npos);
+}
+
+TEST(WriteMapFiles, WritesGridAndReportOfAModel) {
+  const TemporaryFolder folder;
+  LevelMap map = SmallMap(1);
+  map.scale = MapScale{1.0, 0.05, "odometry"};
+  MapSource source;
+  source.model_of = [](const LevelMap&) {
+    MapModel model;
+    model.length_unit = "metres";
+    model.cameras.resize(1);
+    model.images.resize(1);
+    return model;
+  };
+  const WrittenFiles written =
+      WriteMapFiles(map, source, ReadFormats("grid,report"), folder.Path(), Overwrite::kRefuse);
+  EXPECT_EQ(written.paths.size(), 3u);
+  for (const char* name : {"map.yaml", "map.pgm", "report.html"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder.Path() / name)) << name;
+  }
+}
+
 }  // namespace
 }  // namespace rovio_sfm

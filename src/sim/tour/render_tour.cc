@@ -1,11 +1,14 @@
 #include "rovio_sfm/sim/tour/render_tour.h"
 
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "rovio_sfm/sim/robot/robot_body.h"
 #include "rovio_sfm/sim/tour/find_overlaps.h"
+#include "rovio_sfm/sim/tour/sample_surface.h"
 #include "rovio_sfm/sim/tour/simulate_tour.h"
 #include "rovio_sfm/sim/tour/tour_folder.h"
 #include "rovio_sfm/sim/world/load_world.h"
@@ -133,6 +136,23 @@ int RenderTour(const RenderTourOptions& options) {
     output.folder.WriteFrames(tour);
   }
   return static_cast<int>(tour.frames.size());
+}
+
+size_t WriteTourSurface(const RenderTourOptions& options) {
+  std::string error;
+  if (!options.IsValid(&error)) throw std::runtime_error(error);
+  if (std::filesystem::exists(options.out_folder) && !options.overwrite) {
+    throw std::runtime_error(options.out_folder + " exists: not overwritten");
+  }
+  const TourSpec spec = LoadTourOf(options, options.tour);
+  const World world(LoadWorld(options.config_folder + "/worlds/" + spec.world + ".yaml"));
+  const ImageRenderer renderer(world, RovioCamera(), options.render);
+  const std::vector<SurfaceSample> samples =
+      SampleSurface(renderer, Simulate(options, spec), options.develop, {});
+  std::ofstream file(options.out_folder, std::ios::binary);
+  file << SurfacePlyBytes(samples) << std::flush;
+  if (!file) throw std::runtime_error(options.out_folder + ": cannot be written");
+  return samples.size();
 }
 
 }  // namespace rovio_sfm::sim

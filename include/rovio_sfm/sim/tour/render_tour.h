@@ -34,4 +34,8 @@ struct RenderTourOptions {
 // number of pictures.
 int RenderTour(const RenderTourOptions& options);
 
+// Writes what the tour's pictures see of the true surfaces (SampleSurface) as the file out_folder;
+// refuses one that is there unless overwrite. Throws as RenderTour. Returns the number of points.
+size_t WriteTourSurface(const RenderTourOptions& options);
+
 }  // namespace rovio_sfm::sim

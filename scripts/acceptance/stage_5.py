@@ -1,0 +1,5 @@
+"""The map that one can look at and drive by (issue 11)."""
+
+from acceptance import dense
+
+LINES = [*dense.LINES]
