@@ -13,10 +13,12 @@ LINES = [
     Line("glance", "one picture of the second drive sees the place: merged, joint error <= 1.5 %",
          merging.glance, False),
     Line("laps", "turntable2: loop closed, the laps on each other within 1 cm", merging.laps, False),
-    Line("places_turntable2", "turntable2, second lap: after geometry precision >= 0.98, recall >= 0.89",
-         recognising.turntable2, False),
-    Line("places_fr1", "tum_fr1_rpy in tum_fr1_xyz: area and recall at 95 % precision >= tf-idf's, after "
-         "geometry precision >= 0.95 at recall >= 0.90", recognising.fr1, False),
+    Line("places_turntable2", "turntable2, second lap, strict: recall at 100 / 95 % precision >= 0.90 / 0.95, area "
+         ">= 0.95 and tf-idf's; after geometry precision >= 0.98 at recall >= 0.95", recognising.turntable2, False),
+    Line("places_udes", "rtabmap_udes_2loops, a corridor twice, strict: the same, but recall >= 0.90 after geometry",
+         recognising.udes, False),
+    Line("places_fr1", "tum_fr1_rpy in tum_fr1_xyz, strict: as turntable2; two other training seeds: area >= "
+         "tf-idf's", recognising.fr1, False),
     Line("halves", "tum_fr1_xyz in two halves: merged, joint error <= 2.0 cm", merging.halves, True),
     Line("xyz_and_rpy", "tum_fr1_xyz + tum_fr1_rpy: one map with >= 80 % of the second's pictures, <= 4 cm",
          merging.xyz_and_rpy, False),

@@ -19,11 +19,14 @@ std::vector<uint32_t> PlacesNotIn(const std::vector<uint8_t>& is_allowed) {
   return places;
 }
 
-// Log-likelihoods with the motion prior, relative to an even one.
+// Log likelihoods against a new place's, with the motion prior over an even one.
 std::vector<double> RankingOf(const PlaceQuery& query, const FabmapResult& result) {
   std::vector<double> values = result.log_likelihoods;
-  for (size_t place = 0; place < query.place_weights.size() && place < values.size(); ++place) {
-    values[place] += std::log(query.place_weights[place]);  // a weight of 0 rules the place out
+  const auto num_places = static_cast<double>(values.size());
+  for (size_t place = 0; place < values.size(); ++place) {
+    values[place] -= result.new_place_log_likelihood;
+    if (query.place_weights.empty()) continue;
+    values[place] += std::log(num_places * query.place_weights[place]);  // 0 rules the place out
   }
   return values;
 }
@@ -88,8 +91,10 @@ PlaceProposal PlaceIndex::AskAmong(const std::vector<FrameId>& frames,
 }
 
 PlaceProposal PlaceIndex::AskAll(const std::vector<uint32_t>& words,
-                                 const CandidateOptions& options) const {
-  return Propose({words, {}, {}}, options);
+                                 const CandidateOptions& options, const FabmapResult* last) const {
+  PlaceQuery query{words, {}, {}};
+  if (last != nullptr) query.place_weights = motion_prior_.Predict(*last);
+  return Propose(query, options);
 }
 
 PlaceProposal PlaceIndex::Propose(const PlaceQuery& query, const CandidateOptions& options) const {
@@ -108,9 +113,10 @@ std::vector<PlaceCandidate> PlaceIndex::Choose(const PlaceQuery& query, const Fa
   // Of one place at most so many keyframes stand before the next place in the ranking.
   const auto neighborhood = static_cast<size_t>(2 * options.same_place_keyframes + 1);
   const auto count = static_cast<size_t>(options.max_candidates);
+  const std::vector<double> ranking = RankingOf(query, result);
   std::vector<uint32_t> chosen;
   std::vector<PlaceCandidate> candidates;
-  for (const uint32_t place : BestPlaces(RankingOf(query, result), neighborhood * count)) {
+  for (const uint32_t place : BestPlaces(ranking, neighborhood * count)) {
     if (chosen.size() == count) break;
     const bool is_known = std::any_of(chosen.begin(), chosen.end(), [&](uint32_t other) {
       return AreOnePlace(place, other, options.same_place_keyframes);
@@ -119,7 +125,8 @@ std::vector<PlaceCandidate> PlaceIndex::Choose(const PlaceQuery& query, const Fa
     chosen.push_back(place);
     const Place& origin = places_[place];
     candidates.push_back({{origin.drive->first, origin.drive->second.indices[origin.ordinal]},
-                          result.posteriors[place]});
+                          result.posteriors[place],
+                          ranking[place]});
   }
   return candidates;
 }

@@ -28,6 +28,11 @@ void PlaceRecognizer::Remember(const FrameEvent& event) {
   index_.Add(event.id, WordsOf(*event.features), std::nullopt);
 }
 
+void PlaceRecognizer::EndRecentPast(const DriveId& drive, size_t num_kept) {
+  const auto recent = recent_.find(drive);
+  if (recent != recent_.end()) recent->second.Break(num_kept);
+}
+
 // False for what is not to be asked for.
 bool PlaceRecognizer::Enter(const FrameEvent& event) {
   if (event.kind == FrameKind::kLight) {
@@ -88,13 +93,14 @@ std::vector<FrameId> PlaceRecognizer::WithoutRecent(const std::vector<FrameId>& 
 }
 
 std::vector<PlaceMatch> PlaceRecognizer::QueryImage(std::shared_ptr<const FrameFeatures> features,
-                                                    const Camera& camera) {
+                                                    const Camera& camera,
+                                                    const FabmapResult* last) {
   std::string reason;
   if (!model_->vocabulary.Accepts(features->descriptors, &reason)) {
     CountRefused(&counters_.foreign_type, "image: " + reason);
     return {};
   }
-  const PlaceProposal proposal = index_.AskAll(WordsOf(*features), options_.candidates);
+  const PlaceProposal proposal = index_.AskAll(WordsOf(*features), options_.candidates, last);
   return Match({FrameId{}, std::move(features), camera}, proposal);
 }
 

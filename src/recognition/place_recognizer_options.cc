@@ -4,7 +4,7 @@ namespace rovio_sfm {
 
 CandidateOptions PlaceRecognizerOptions::OverlapCandidates() {
   CandidateOptions options;
-  options.min_score = -60.0;
+  options.min_score = -30.0;
   options.max_candidates = 6;
   return options;
 }

@@ -22,6 +22,7 @@ struct Arguments {
   std::string model, out, truth = "poses", matrix;
   size_t stride = 1, distractor_stride = 1;
   int num_threads = 2;
+  PlaceTrialOptions trial;
   bool mean_field = false;
   bool overwrite = false;
   FrontendOptions frontend;
@@ -30,7 +31,8 @@ struct Arguments {
 
 void Declare(Arguments* a, CLI::App* app) {
   app->add_option("--query", a->queries, "folders, or FOLDER@FIRST:LAST")->required();
-  app->add_option("--database", a->database, "folders that show the queries' places")->required();
+  CLI::Option* database =
+      app->add_option("--database", a->database, "folders that show the queries' places");
   app->add_option("--distractors", a->distractors, "folders that show none of them");
   app->add_option("--model", a->model, "place model; without: that of the package");
   app->add_option("--out", a->out, "folder for the results")->required();
@@ -45,6 +47,12 @@ void Declare(Arguments* a, CLI::App* app) {
   app->add_option("--min-score", a->recognizer.candidates.min_score, "below: none is verified");
   app->add_option("--ratio", a->recognizer.verify.pair.max_ratio, "of descriptors, in geometry");
   app->add_option("--min-inliers", a->recognizer.verify.pair.verify.min_inliers, "of geometry");
+  app->add_flag("--prior", a->trial.use_prior, "with the motion prior, queries in their order");
+  app->add_option("--self", a->trial.self_gap,
+                  "instead of a database: the queries that come at least so many images before")
+      ->check(CLI::Range(1, 1000000))
+      ->excludes(database);
+  app->add_flag("--scores", a->trial.keep_scores, "write the score of each query and place too");
   app->add_flag("--mean-field", a->mean_field, "the new place by mean field, not by samples");
   app->add_option("--threads", a->num_threads, "of extraction")->check(CLI::Range(1, 64));
   app->add_option("--seed", a->recognizer.seed, "of geometry");
@@ -52,6 +60,10 @@ void Declare(Arguments* a, CLI::App* app) {
 }
 
 void CheckArguments(Arguments* arguments) {
+  const bool is_self = arguments->trial.self_gap > 0;
+  if (arguments->database.empty() && !is_self) {
+    throw std::runtime_error("--database: expected folders, or --self");
+  }
   if (arguments->mean_field) {
     arguments->recognizer.fabmap.new_place_model = NewPlaceModel::kMeanField;
   }
@@ -85,6 +97,15 @@ Side ReadSide(const std::vector<std::string>& folders, size_t stride, const Argu
   return side;
 }
 
+// What a query does not know yet is no answer.
+void HideUnknown(const std::vector<PlaceImage>& queries, size_t self_gap, PlaceTruth* truth) {
+  for (size_t i = 0; i < queries.size(); ++i) {
+    for (size_t j = 0; j < queries.size(); ++j) {
+      if (!KnowsImage(queries, i, j, self_gap)) (*truth)[i][j] = PlaceLabel::kNegative;
+    }
+  }
+}
+
 PlaceTruth TruthOf(const Arguments& arguments, const Side& queries, const Side& database,
                    size_t num_distractors) {
   if (!arguments.matrix.empty()) {
@@ -112,7 +133,9 @@ nlohmann::ordered_json CurveJson(const PlaceCurve& curve) {
           {"strict_recall", curve.strict_recall},
           {"strict_area_under_curve", curve.strict_area},
           {"recall_at_full_precision", curve.recall_at_full_precision},
-          {"recall_at_95_precision", curve.recall_at_95_precision}};
+          {"recall_at_95_precision", curve.recall_at_95_precision},
+          {"strict_recall_at_full_precision", curve.strict_recall_at_full_precision},
+          {"strict_recall_at_95_precision", curve.strict_recall_at_95_precision}};
 }
 
 nlohmann::ordered_json CountersJson(const PlaceCounters& counters) {
@@ -136,6 +159,8 @@ nlohmann::ordered_json SummaryJson(const Arguments& arguments, const std::vector
   summary["distractors"] = arguments.distractors;
   summary["truth"] = arguments.matrix.empty() ? arguments.truth : arguments.matrix;
   summary["stride"] = arguments.stride;
+  summary["prior"] = arguments.trial.use_prior;
+  summary["self_gap"] = arguments.trial.self_gap;
   summary["model"] = model.provenance;
   summary["words"] = model.vocabulary.NumWords();
   summary["places"] = num_places;
@@ -179,6 +204,20 @@ std::string AnswersText(const std::vector<Method>& methods, const std::vector<Pl
   return text.str();
 }
 
+std::string ScoresText(const PlaceTrial& trial, const std::vector<PlaceImage>& queries,
+                       const std::vector<PlaceImage>& database) {
+  std::ostringstream text;
+  text << "query";
+  for (const PlaceImage& image : database) text << "," << image.name;
+  text << "\n";
+  for (size_t i = 0; i < queries.size(); ++i) {
+    text << queries[i].name;
+    for (const double score : trial.scores[i]) text << "," << score;
+    text << "\n";
+  }
+  return text.str();
+}
+
 void Evaluate(const Arguments& arguments, std::ostream& out) {
   const std::shared_ptr<const PlaceModel> model = ReadPlaceModel(arguments.model);
   uint32_t num_folders = 0;
@@ -186,11 +225,14 @@ void Evaluate(const Arguments& arguments, std::ostream& out) {
   Side database = ReadSide(arguments.database, arguments.stride, arguments, &num_folders);
   const Side distractors =
       ReadSide(arguments.distractors, arguments.distractor_stride, arguments, &num_folders);
-  const PlaceTruth truth = TruthOf(arguments, queries, database, distractors.images.size());
+  const size_t self_gap = arguments.trial.self_gap;
+  if (self_gap > 0) database = queries;
+  PlaceTruth truth = TruthOf(arguments, queries, database, distractors.images.size());
+  if (self_gap > 0) HideUnknown(queries.images, self_gap, &truth);
   database.images.insert(database.images.end(), distractors.images.begin(),
                          distractors.images.end());
   const PlaceTrial trial =
-      RunPlaceTrial(queries.images, database.images, model, arguments.recognizer);
+      RunPlaceTrial(queries.images, database.images, model, arguments.recognizer, arguments.trial);
   std::vector<Method> methods{{"fabmap", &trial.fabmap, {}},
                               {"fabmap_verified", &trial.verified, {}},
                               {"tf_idf", &trial.tf_idf, {}}};
@@ -202,6 +244,9 @@ void Evaluate(const Arguments& arguments, std::ostream& out) {
   WriteFile(folder / "curves.csv", CurvesText(methods), overwrite);
   WriteFile(folder / "answers.csv", AnswersText(methods, queries.images, database.images, truth),
             overwrite);
+  if (arguments.trial.keep_scores) {
+    WriteFile(folder / "scores.csv", ScoresText(trial, queries.images, database.images), overwrite);
+  }
   WriteFile(folder / "summary.json", summary, overwrite);
   out << "wrote " << std::filesystem::absolute(folder / "summary.json").string() << "\n" << summary;
 }

@@ -105,6 +105,8 @@ MapRun MapFolders(const std::vector<DatasetFolder>& datasets, const Arguments& a
   for (size_t i = 0; i < datasets.size() && !IsStopRequested(); ++i) {
     const std::string robot = RobotOf(i);
     mapper->StartDrive(robot);
+    for (const DatasetImage& image : datasets[i].images)
+      run.image_names[robot].push_back(image.name);
     MapFolder(datasets[i], !arguments.without_odometry, mapper, &run.left_out);
     if (!arguments.without_odometry) run.odometry[robot] = YawsOf(datasets[i]);
     if (!datasets[i].ground_truth.empty()) run.ground_truth[robot] = datasets[i].ground_truth;

@@ -41,6 +41,26 @@ void AddFrames(const MapRun& run, Json* json) {
   (*json)["dropped"] = run.num_images - run.frontend.keyframes - run.frontend.light_frames;
 }
 
+// The images that have a pose of their own in no map, by robot.
+Json ImagesWithoutPose(const MapRun& run) {
+  std::map<std::string, std::set<std::string>> posed;
+  for (const SessionSnapshot& session : run.snapshot->sessions) {
+    for (const auto& block : session.frames) {
+      for (const FrameSnapshot& frame : *block) {
+        if (!frame.weak) posed[session.drive.robot].insert(frame.image_name);
+      }
+    }
+  }
+  Json without = Json::object();
+  for (const auto& [robot, names] : run.image_names) {
+    without[robot] = Json::array();
+    for (const std::string& name : names) {
+      if (posed[robot].count(name) == 0) without[robot].push_back(name);
+    }
+  }
+  return without;
+}
+
 void AddSessions(const MapSnapshot& snapshot, Json* json) {
   std::set<uint32_t> maps;
   size_t num_sessions = 0;
@@ -184,6 +204,7 @@ Json MapSummaryJson(const MapRun& run) {
   AddFrames(run, &json);
   AddStatistics(map ? ComputeMapStatistics(*map) : MapStatistics(), &json);
   AddSessions(*run.snapshot, &json);
+  json["images_without_pose"] = ImagesWithoutPose(run);
   AddErrors(map, run, &json);
   AddOdometryDelay(map, run, &json);
   json["matching"] = FunnelJson(run.funnel);

@@ -31,8 +31,14 @@ void AddPoint(double threshold, PlaceCurve* curve) {
   curve->points.push_back({threshold, curve->precision, curve->recall, curve->strict_recall});
   curve->area += curve->precision * (curve->recall - last.recall);
   curve->strict_area += curve->precision * (curve->strict_recall - last.strict_recall);
-  if (curve->num_wrong == 0) curve->recall_at_full_precision = curve->recall;
-  if (curve->precision >= 0.95) curve->recall_at_95_precision = curve->recall;
+  if (curve->num_wrong == 0) {
+    curve->recall_at_full_precision = curve->recall;
+    curve->strict_recall_at_full_precision = curve->strict_recall;
+  }
+  if (curve->precision >= 0.95) {
+    curve->recall_at_95_precision = curve->recall;
+    curve->strict_recall_at_95_precision = curve->strict_recall;
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "rovio_sfm/frontend/prepare_image.h"
 #include "rovio_sfm/places/tf_idf.h"
@@ -61,30 +62,104 @@ class Stopwatch {
   size_t count_ = 0;
 };
 
-std::optional<PlaceAnswer> BestOf(const std::vector<double>& values, double score) {
-  const std::vector<uint32_t> best = BestPlaces(values, 1);
-  if (best.empty()) return std::nullopt;
-  return PlaceAnswer{best.front(), score};
-}
-
-// The match with most inliers.
-std::optional<PlaceAnswer> BestOf(const std::vector<PlaceMatch>& matches,
-                                  const std::map<FrameId, size_t>& numbers) {
-  std::optional<PlaceAnswer> best;
-  for (const PlaceMatch& match : matches) {
-    const OverlapPair& pair = match.pairs.front();
-    const auto score = static_cast<double>(pair.inliers.size());
-    if (!best || score > best->score) best = PlaceAnswer{numbers.at(pair.other), score};
-  }
-  return best;
-}
-
 CandidateOptions OnlyTheBest() {
   CandidateOptions options;
   options.min_score = -std::numeric_limits<double>::infinity();
   options.max_candidates = 1;
   return options;
 }
+
+// The recognizers of a trial, filled and asked image by image.
+class TrialRunner {
+ public:
+  TrialRunner(const std::vector<PlaceImage>& database,
+              const std::shared_ptr<const PlaceModel>& model, const PlaceRecognizerOptions& options,
+              const PlaceTrialOptions& trial_options)
+      : database_(database),
+        model_(model),
+        trial_options_(trial_options),
+        recognizer_(options, model, &store_),
+        tf_idf_(*model) {}
+
+  void Remember(size_t number) {
+    const PlaceImage& image = database_[number];
+    numbers_[image.id] = number;
+    of_place_.push_back(number);
+    store_.Put(image.id, image.features);
+    recognizer_.Remember(EventOf(image));
+    tf_idf_.AddPlace(model_->vocabulary.Quantize(image.features->descriptors));
+  }
+
+  void Ask(const PlaceImage& image) {
+    const bool goes_on = trial_options_.use_prior && last_ && last_drive_ == image.id.drive;
+    const FabmapResult* last = goes_on ? &*last_ : nullptr;
+    const auto words = words_watch_.Measure(
+        [&] { return model_->vocabulary.Quantize(image.features->descriptors); });
+    PlaceProposal proposal = fabmap_watch_.Measure(
+        [&] { return recognizer_.index().AskAll(words, OnlyTheBest(), last); });
+    trial_.fabmap.push_back(BestOf(proposal.candidates));
+    trial_.tf_idf.push_back(BestOf(tf_idf_.Query({words, {}, {}})));
+    trial_.verified.push_back(BestOf(verify_watch_.Measure(
+        [&] { return recognizer_.QueryImage(image.features, image.camera, last); })));
+    if (trial_options_.keep_scores) KeepScores(proposal.result);
+    last_ = std::move(proposal.result);
+    last_drive_ = image.id.drive;
+  }
+
+  PlaceTrial Finish() {
+    trial_.words_ms = words_watch_.MeanMs();
+    trial_.fabmap_ms = fabmap_watch_.MeanMs();
+    trial_.verify_ms = verify_watch_.MeanMs() - trial_.words_ms - trial_.fabmap_ms;
+    trial_.bytes_per_place = static_cast<double>(recognizer_.index().NumBytes()) /
+                             static_cast<double>(std::max<size_t>(1, of_place_.size()));
+    trial_.counters = recognizer_.counters();
+    return std::move(trial_);
+  }
+
+ private:
+  std::optional<PlaceAnswer> BestOf(const std::vector<PlaceCandidate>& candidates) const {
+    if (candidates.empty()) return std::nullopt;
+    return PlaceAnswer{numbers_.at(candidates.front().id), candidates.front().score};
+  }
+
+  std::optional<PlaceAnswer> BestOf(const TfIdfResult& result) const {
+    const std::vector<uint32_t> best = BestPlaces(result.similarities, 1);
+    if (best.empty()) return std::nullopt;
+    return PlaceAnswer{of_place_[best.front()], result.score};
+  }
+
+  // The match with most inliers.
+  std::optional<PlaceAnswer> BestOf(const std::vector<PlaceMatch>& matches) const {
+    std::optional<PlaceAnswer> best;
+    for (const PlaceMatch& match : matches) {
+      const OverlapPair& pair = match.pairs.front();
+      const auto score = static_cast<double>(pair.inliers.size());
+      if (!best || score > best->score) best = PlaceAnswer{numbers_.at(pair.other), score};
+    }
+    return best;
+  }
+
+  void KeepScores(const FabmapResult& result) {
+    std::vector<double>& row =
+        trial_.scores.emplace_back(database_.size(), -std::numeric_limits<double>::infinity());
+    for (size_t place = 0; place < result.log_likelihoods.size(); ++place) {
+      row[of_place_[place]] = result.log_likelihoods[place] - result.new_place_log_likelihood;
+    }
+  }
+
+  const std::vector<PlaceImage>& database_;
+  std::shared_ptr<const PlaceModel> model_;
+  PlaceTrialOptions trial_options_;
+  MemoryFrameStore store_;
+  PlaceRecognizer recognizer_;
+  TfIdf tf_idf_;
+  std::map<FrameId, size_t> numbers_;  // in the database
+  std::vector<size_t> of_place_;       // the same by place
+  std::optional<FabmapResult> last_;   // of the query before
+  DriveId last_drive_;
+  Stopwatch words_watch_, fabmap_watch_, verify_watch_;
+  PlaceTrial trial_;
+};
 
 }  // namespace
 
@@ -102,41 +177,26 @@ std::vector<PlaceImage> ExtractPlaceImages(const PlaceImages& images, uint32_t f
   return extracted;
 }
 
+bool KnowsImage(const std::vector<PlaceImage>& queries, size_t i, size_t j, size_t self_gap) {
+  return j < i && (queries[j].id.drive != queries[i].id.drive || j + self_gap <= i);
+}
+
 PlaceTrial RunPlaceTrial(const std::vector<PlaceImage>& queries,
                          const std::vector<PlaceImage>& database,
                          const std::shared_ptr<const PlaceModel>& model,
-                         const PlaceRecognizerOptions& options) {
-  MemoryFrameStore store;
-  PlaceRecognizer recognizer(options, model, &store);
-  TfIdf tf_idf(*model);
-  std::map<FrameId, size_t> numbers;
-  for (const PlaceImage& image : database) {
-    numbers[image.id] = numbers.size();
-    store.Put(image.id, image.features);
-    recognizer.Remember(EventOf(image));
-    tf_idf.AddPlace(model->vocabulary.Quantize(image.features->descriptors));
+                         const PlaceRecognizerOptions& options,
+                         const PlaceTrialOptions& trial_options) {
+  const bool is_self = trial_options.self_gap > 0;
+  TrialRunner runner(database, model, options, trial_options);
+  for (size_t i = is_self ? queries.size() : 0; i < database.size(); ++i) runner.Remember(i);
+  size_t num_known = 0;
+  for (size_t i = 0; i < queries.size(); ++i) {
+    while (is_self && KnowsImage(queries, i, num_known, trial_options.self_gap)) {
+      runner.Remember(num_known++);
+    }
+    runner.Ask(queries[i]);
   }
-  PlaceTrial trial;
-  Stopwatch words_watch, fabmap_watch, verify_watch;
-  for (const PlaceImage& image : queries) {
-    const auto words = words_watch.Measure(
-        [&] { return model->vocabulary.Quantize(image.features->descriptors); });
-    const auto proposal =
-        fabmap_watch.Measure([&] { return recognizer.index().AskAll(words, OnlyTheBest()); });
-    trial.fabmap.push_back(BestOf(proposal.result.log_likelihoods, proposal.result.score));
-    const TfIdfResult similar = tf_idf.Query({words, {}, {}});
-    trial.tf_idf.push_back(BestOf(similar.similarities, similar.score));
-    trial.verified.push_back(BestOf(
-        verify_watch.Measure([&] { return recognizer.QueryImage(image.features, image.camera); }),
-        numbers));
-  }
-  trial.words_ms = words_watch.MeanMs();
-  trial.fabmap_ms = fabmap_watch.MeanMs();
-  trial.verify_ms = verify_watch.MeanMs() - trial.words_ms - trial.fabmap_ms;
-  trial.bytes_per_place = static_cast<double>(recognizer.index().NumBytes()) /
-                          static_cast<double>(std::max<size_t>(1, database.size()));
-  trial.counters = recognizer.counters();
-  return trial;
+  return runner.Finish();
 }
 
 }  // namespace rovio_sfm

@@ -118,7 +118,8 @@ TrainingResult TrainPlaces(const std::vector<std::filesystem::path>& images,
   progress("tree", 1, 1);
   result.detector = MeasureDetector(
       PairsOfLooks(features, model.training_bags, model.vocabulary, executor), model.tree);
-  const double p_z_given_e = options.p_z_given_e.value_or(result.detector.p_z_given_e);
+  const double p_z_given_e =
+      options.p_z_given_e > 0.0 ? options.p_z_given_e : result.detector.p_z_given_e;
   model.detector.p_z_given_e = std::clamp(p_z_given_e, 0.01, 0.99);
   model.provenance = ProvenanceOf(features.images.size(), options);
   return result;

@@ -70,7 +70,7 @@ void Declare(Arguments* arguments, CLI::App* app) {
   app->add_option("--features", options.frontend.extract.max_features, "most of an image");
   app->add_option("--iterations", options.cluster.max_iterations, "most of k-means");
   app->add_option("--p-z-given-e", options.p_z_given_e,
-                  "p(z=1|e=1) of the detector; measured on second looks if not given");
+                  "p(z=1|e=1) of the detector; 0: as measured on second looks");
   app->add_option("--seed", options.seed, "of everything random");
   app->add_option("--threads", arguments->num_threads, "never changes the result")
       ->check(CLI::Range(0, 256));

@@ -52,7 +52,16 @@ TEST_F(MatchRecursivelyTest, StopsAfterTauLFrames) {
   EXPECT_EQ(Match().size(), 2u);
 }
 
-TEST_F(MatchRecursivelyTest, PassesOverOneMissButNotTwo) {
+TEST_F(MatchRecursivelyTest, GoesBackThroughTheWholeWindow) {
+  Spoil(2);
+  Spoil(1);
+  const auto pairs = Match();
+  ASSERT_EQ(pairs.size(), 3u);
+  EXPECT_GE(pairs[2].inliers.size(), 30u);
+}
+
+TEST_F(MatchRecursivelyTest, PassesOverAsManyMissesAsItMay) {
+  options_.max_misses = 1;
   Spoil(2);
   auto pairs = Match();
   ASSERT_EQ(pairs.size(), 3u);

@@ -61,6 +61,33 @@ TEST_F(EvaluatePlacesTest, TakesTruthFromAMatrix) {
   EXPECT_EQ(nlohmann::json::parse(file)["queries_with_positive"], 1);
 }
 
+TEST_F(EvaluatePlacesTest, AsksADriveAmongItsOwnPast) {
+  ASSERT_EQ(RunCommand(EvaluatePlacesCommand,
+                       {"--query", PathOf("a"), "--self", "2", "--prior", "--scores", "--truth",
+                        "overlaps", "--model", PathOf("random.places"), "--threads", "1", "--out",
+                        PathOf("self")},
+                       &printed_),
+            0)
+      << printed_;
+  std::ifstream file(PathOf("self/summary.json"));
+  const auto summary = nlohmann::json::parse(file);
+  EXPECT_EQ(summary["self_gap"], 2);
+  EXPECT_EQ(summary["queries"], 6);
+  EXPECT_EQ(summary["queries_with_positive"], 4);  // the first two know nothing
+  EXPECT_TRUE(summary["fabmap"].contains("strict_recall_at_95_precision"));
+  std::ifstream scores(PathOf("self/scores.csv"));
+  std::string line;
+  int num_lines = 0;
+  while (std::getline(scores, line)) ++num_lines;
+  EXPECT_EQ(num_lines, 7);
+}
+
+TEST_F(EvaluatePlacesTest, NeedsADatabase) {
+  EXPECT_THROW(RunCommand(EvaluatePlacesCommand, {"--query", PathOf("a"), "--out", PathOf("out")},
+                          &printed_),
+               std::runtime_error);
+}
+
 TEST_F(EvaluatePlacesTest, KeepsAnOlderSummaryUnlessTold) {
   ASSERT_EQ(Run({"--out", PathOf("out")}), 0) << printed_;
   EXPECT_THROW(Run({"--out", PathOf("out")}), std::runtime_error);

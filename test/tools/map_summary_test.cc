@@ -45,6 +45,14 @@ TEST(MapSummaryJson, CountsImagesAndLeavesOutWhatIsNotKnown) {
   EXPECT_EQ(json["matching"]["ransac_share"], 0.3);
 }
 
+TEST(MapSummaryJson, NamesTheImagesWithoutAPose) {
+  MapRun run = SmallRun();
+  const FrameSnapshot& posed = run.snapshot->sessions[0].frames.front()->front();
+  run.image_names["rovio"] = {posed.image_name, "lost.jpg"};
+  const auto without = MapSummaryJson(run)["images_without_pose"];
+  EXPECT_EQ(without["rovio"], nlohmann::ordered_json({"lost.jpg"}));
+}
+
 TEST(MapSummaryJson, ComparesAMetricMapWithTheTruth) {
   MapRun run = SmallRun();
   for (const PosedImage& image : PosedImages(*FindLargestMap(*run.snapshot))) {

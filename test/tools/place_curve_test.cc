@@ -32,6 +32,9 @@ TEST(MeasurePlaceCurve, AnswersBetweenAreNeitherRightNorWrongNorMissing) {
   EXPECT_DOUBLE_EQ(curve.recall, 0.5);
   EXPECT_DOUBLE_EQ(curve.strict_recall, 1.0 / 3.0);
   EXPECT_DOUBLE_EQ(curve.strict_area, 1.0 / 3.0);
+  EXPECT_DOUBLE_EQ(curve.recall_at_full_precision, 0.5);
+  EXPECT_DOUBLE_EQ(curve.strict_recall_at_full_precision, 1.0 / 3.0);
+  EXPECT_DOUBLE_EQ(curve.strict_recall_at_95_precision, 1.0 / 3.0);
 }
 
 TEST(MeasurePlaceCurve, AreaOfARightThenAWrongThenARightAnswer) {

@@ -71,6 +71,9 @@ TEST_F(TrainPlacesTest, UsesTheDetectorItIsGiven) {
   TrainPlacesOptions options = QuickTraining();
   options.p_z_given_e = 0.27;
   EXPECT_EQ(Train(options, 0).model.detector.p_z_given_e, 0.27);
+  options.p_z_given_e = 0.0;
+  const TrainingResult measured = Train(options, 0);
+  EXPECT_EQ(measured.model.detector.p_z_given_e, std::max(0.01, measured.detector.p_z_given_e));
 }
 
 TEST_F(TrainPlacesTest, RefusesImagesWithoutFeatures) {

@@ -16,7 +16,7 @@ namespace rovio_sfm {
 struct RecursionOptions {
   int min_matches = 30;
   int max_frames = 8;
-  int max_misses = 1;
+  int max_misses = 7;
   OdometryGateOptions odometry_gate;
 
   void DescribeOptions(OptionTable& table) {

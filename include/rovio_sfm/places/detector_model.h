@@ -7,7 +7,9 @@
 namespace rovio_sfm {
 
 // How well a word is detected where it exists: z says it was seen, e that it is there (FAB-MAP's
-// detector model). train_places measures it and the model file carries it.
+// detector model). The model file carries it. Ranking wants less than is seen again
+// (docs/places.md): a rate too high makes the words that a right place lacks cost more than those
+// it shares earn.
 struct DetectorOptions {
   double p_z_given_e = 0.25;
   double p_z_given_not_e = 0.0;

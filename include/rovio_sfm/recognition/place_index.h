@@ -13,10 +13,12 @@
 
 namespace rovio_sfm {
 
-// A keyframe that appearance proposes, with the posterior of its place.
+// A keyframe that appearance proposes, with the posterior of its place, and what it is ranked by:
+// its log likelihood against a new place's, with the motion prior over an even one.
 struct PlaceCandidate {
   FrameId id;
   double probability = 0.0;
+  double score = 0.0;
 };
 
 // What an image's words say, and the candidates, best first.
@@ -48,10 +50,12 @@ class PlaceIndex {
   // an answer, with the motion prior of that drive.
   PlaceProposal Ask(const DriveId& drive, size_t num_allowed, const std::vector<uint32_t>& words,
                     const CandidateOptions& options) const;
-  // Asks without a prior, among the frames given (unknown ones are ignored) or among all.
+  // Asks without a prior among the frames given; unknown ones are ignored.
   PlaceProposal AskAmong(const std::vector<FrameId>& frames, const std::vector<uint32_t>& words,
                          const CandidateOptions& options) const;
-  PlaceProposal AskAll(const std::vector<uint32_t>& words, const CandidateOptions& options) const;
+  // Asks among all, with the motion prior after `last` if there is one.
+  PlaceProposal AskAll(const std::vector<uint32_t>& words, const CandidateOptions& options,
+                       const FabmapResult* last = nullptr) const;
 
   // The camera of a frame's drive; null if the frame is not known.
   const Camera* FindCamera(const FrameId& id) const;

@@ -51,14 +51,19 @@ class PlaceRecognizer {
   // Remembers a keyframe without asking.
   void Remember(const FrameEvent& event);
 
+  // The drive's session was lost; the newest num_kept keyframes belong to the next one. Its frames
+  // may match those of the lost one at once.
+  void EndRecentPast(const DriveId& drive, size_t num_kept);
+
   // Looks for the places of `queries` among `others`, all of them known keyframes, with the lower
   // thresholds of options.overlap_candidates. Queries that are near in their drive are no overlap.
   std::vector<PlaceMatch> FindOverlaps(const std::vector<FrameId>& queries,
                                        const std::vector<FrameId>& others);
 
-  // The places of an image that is no frame; the matches' query is the empty FrameId.
+  // The places of an image that is no frame, with the motion prior after `last` if there is one;
+  // the matches' query is the empty FrameId.
   std::vector<PlaceMatch> QueryImage(std::shared_ptr<const FrameFeatures> features,
-                                     const Camera& camera);
+                                     const Camera& camera, const FabmapResult* last = nullptr);
 
   const PlaceCounters& counters() const { return counters_; }
   const std::string& last_refusal() const { return last_refusal_; }

@@ -14,7 +14,7 @@ namespace rovio_sfm {
 // How candidates are chosen by appearance. They are ranked by likelihood and motion prior, never by
 // the posterior, which saturates; geometry decides.
 struct CandidateOptions {
-  double min_score = -20.0;
+  double min_score = -10.0;
   int max_candidates = 3;
   int same_place_keyframes = 5;
 

@@ -22,7 +22,8 @@ namespace rovio_sfm {
 
 // A finished run over image folders.
 struct MapRun {
-  size_t num_images = 0;  // in the folders, after the stride
+  size_t num_images = 0;                                        // in the folders, after the stride
+  std::map<std::string, std::vector<std::string>> image_names;  // by robot; may lack some
   std::shared_ptr<const MapSnapshot> snapshot;
   FrontendCounters frontend;
   MatchingFunnel funnel;

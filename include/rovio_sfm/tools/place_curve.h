@@ -31,6 +31,7 @@ struct PlaceCurve {
   // The same where an answer that is not scored counts as missing.
   double strict_recall = 0.0, strict_area = 0.0;
   double recall_at_full_precision = 0.0, recall_at_95_precision = 0.0;
+  double strict_recall_at_full_precision = 0.0, strict_recall_at_95_precision = 0.0;
   std::vector<PlaceOperatingPoint> points;  // by falling threshold
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +21,7 @@ struct TrainPlacesOptions {
   int max_cluster_features = 250'000;
   ChowLiuOptions tree;
   SecondLookOptions second_look;
-  std::optional<double> p_z_given_e;  // instead of what second looks say
+  double p_z_given_e = 0.05;  // of the detector; 0: what second looks say
   uint64_t seed = 1;
 
   void DescribeOptions(OptionTable& table) {
@@ -32,7 +31,7 @@ struct TrainPlacesOptions {
     table.AddNumber("max_cluster_features", max_cluster_features, 100, 1e7, "thinned evenly");
     table.AddGroup("tree", tree, "");
     table.AddGroup("second_look", second_look, "");
-    if (p_z_given_e) table.AddNumber("p_z_given_e", *p_z_given_e, 0.01, 0.99, "of the detector");
+    table.AddNumber("p_z_given_e", p_z_given_e, 0.0, 0.99, "of the detector; 0: measured");
     table.AddNumber("seed", seed, 0, kNoLimit, "of the first words and of the second looks");
   }
 };
