@@ -26,6 +26,7 @@ OUT = pathlib.Path("rovio_sfm_demo") if IS_INSTALLED else SHARE / "out/demo"
 TOURS = {"rovio1": "engineRoom0", "rovio2": "engineRoom1"}  # by robot: where they begin
 WAYS = {"rovio1": SHARE / "config/tours/engineRoom0.yaml",
         "rovio2": SHARE / "config/demo/engineRoom1.yaml"}  # and where they drive
+FORMATS = "tum,ply,dense,mesh,grid,report"
 MAX_TRUTH_GAP_S = 0.5  # the robots rest while they look
 PATIENCE = ("_stop_timeout_s:=50", "_look_timeout_s:=50", "_ready_timeout_s:=300")  # slow machines
 MIN_REGISTERED, MAX_ERROR, MAX_SCALE_ERROR = 0.95, 0.015, 0.10  # shares
@@ -77,7 +78,7 @@ def finish(watch):
 
 def export():
     reply = yaml.safe_load(run("rosservice", "call", "/export_map",
-                               "{map: 0, name: demo, overwrite: true}"))
+                               f"{{map: 0, name: demo, overwrite: true, formats: '{FORMATS}'}}"))
     if not reply["files"]:
         raise RuntimeError(f"export_map: {reply['status']}")
 
@@ -146,8 +147,9 @@ def report(out, figures, merges, answers):
     results = {**verdicts(figures), **answers}
     for text, holds in results.items():
         print(f"{'holds' if holds else 'FALLS':6} {text}")
-    for name in ("map/demo/cloud.ply", "map/demo/trajectory.txt", "map.png", "merges.txt",
-                 "demo.json"):
+    for name in ("map/map.db", *(f"map/demo/{name}" for name in (
+            "cloud.ply", "trajectory.txt", "dense.ply", "mesh.ply", "map.yaml", "report.html")),
+            "map.png", "merges.txt", "demo.json"):
         print(f"wrote {out / name}")
     return all(results.values())
 

@@ -1,5 +1,5 @@
 """The map that one can look at and drive by (issue 11)."""
 
-from acceptance import dense
+from acceptance import dense, grid, page
 
-LINES = [*dense.LINES]
+LINES = [*page.LINES, *grid.LINES, *dense.LINES]

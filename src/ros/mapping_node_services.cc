@@ -1,7 +1,11 @@
 // The services of MappingNode; see mapping_node.h.
+#include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "rovio_sfm/app/store_folder.h"
+#include "rovio_sfm/io/map_store.h"
 #include "rovio_sfm/ros/answer_merge.h"
 #include "rovio_sfm/ros/export_map.h"
 #include "rovio_sfm/ros/map_messages.h"
@@ -23,6 +27,14 @@ std::shared_ptr<const std::vector<uint8_t>> ImageOf(
   if (event == events.end()) return nullptr;
   const FrameEventMsg::ConstPtr held = event->second;
   return {&held->jpeg, [held](const std::vector<uint8_t>*) {}};
+}
+
+// Of frames that the history has let go: the store, through a connection of its own, as the node's
+// belongs to the worker. Null where none is kept.
+std::unique_ptr<MapStore> KeptImages(const std::string& output_dir) {
+  const std::filesystem::path file = StoreFolder::FileIn(output_dir);
+  if (output_dir.empty() || !std::filesystem::exists(file)) return nullptr;
+  return std::make_unique<MapStore>(file, StoreAccess::kRead);
 }
 
 constexpr char kDropped[] = "the call was refused: too many wait already, or the node ends";
@@ -110,11 +122,15 @@ bool MappingNode::ExportMap(ExportMapRequest& request, ExportMapResponse& respon
     return true;
   }
   const auto events = history_.EventsWithImages();
+  const auto kept = KeptImages(options_.output_dir);
   const MapSource source{[&](const LevelMap&) {
                            if (!parts.model) throw std::runtime_error(parts.error);
                            return std::move(*parts.model);
                          },
-                         [&](const ModelImage& image) { return ImageOf(image.id, events); },
+                         [&](const ModelImage& image) {
+                           const auto recent = ImageOf(image.id, events);
+                           return recent || !kept ? recent : kept->frames().ReadImage(image.id);
+                         },
                          PageNotes{*engine_.Picture().merges, {}, {}, {}}};
   response = ExportMapFiles(*parts.snapshot, source, options_.output_dir, request);
   return true;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "finish/small_model.h"
+#include "rovio_sfm/geometry/sim3.h"
 
 namespace rovio_sfm {
 namespace {

@@ -1,0 +1,61 @@
+"""The line about the occupancy grid of a tour, against the simulator's true surfaces."""
+
+import cv2
+import numpy
+import yaml
+from scipy.spatial import cKDTree
+
+from acceptance.common import NOISE, PROGRAMS, WORK, Line, map_images, render_tour, run
+from evaluate_cloud import fit_similarity, read_centres, read_surface
+
+TOUR = "engineRoom0"
+MIN_FREE_TRUE, MIN_FLOOR_FREE, MIN_OCCUPIED_TRUE = 0.95, 0.60, 0.80
+BAND_M, FLOOR_M = (0.04, 0.40), 0.02  # heights of what stands in the way, and of the floor
+NEAR_PATH_M, NEAR_SURFACE_M = 2.0, 0.10
+
+
+def read_grid(folder):
+    """As map_server's page says: -1 unknown, 0 free, 100 occupied; row 0 at the least y."""
+    spec = yaml.safe_load((folder / "map.yaml").read_text())
+    grey = cv2.imread(str(folder / spec["image"]), cv2.IMREAD_GRAYSCALE)[::-1].astype(float)
+    p = grey / 255 if spec["negate"] else (255 - grey) / 255
+    cells = numpy.where(p > spec["occupied_thresh"], 100, numpy.where(p < spec["free_thresh"], 0, -1))
+    return cells, numpy.array(spec["origin"][:2]), spec["resolution"]
+
+
+def truth_in_map(folder, truth_folder):
+    """The true surface's points in the map's frame, and the path's."""
+    estimate, truth = read_centres(folder / "trajectory.txt"), read_centres(truth_folder / "groundtruth.txt")
+    stamps = sorted(set(estimate) & set(truth), key=float)
+    path = numpy.array([estimate[s] for s in stamps])
+    scale, rotation, shift = fit_similarity(numpy.array([truth[s] for s in stamps]), path)
+    surface = WORK / f"grid/{TOUR}_surface.ply"
+    run(PROGRAMS / "rovio_sim", "--surface", TOUR, "--camera", "plain", "--seed", 1, "--out", surface, "--overwrite")
+    world = read_surface(surface)["x"].astype(float)
+    return scale * world @ rotation.T + shift, world[:, 2], path
+
+
+def grid(_quick):
+    truth_folder = render_tour(TOUR, NOISE, 1)
+    map_images("grid/map", [truth_folder], "--format", "tum,dense,grid")
+    cells, origin, resolution = read_grid(WORK / "grid/map")
+    points, heights, path = truth_in_map(WORK / "grid/map", truth_folder)
+
+    def centers(value):
+        rows, columns = numpy.nonzero(cells == value)
+        return origin + resolution * (numpy.stack([columns, rows], 1) + 0.5)
+    stands = cKDTree(points[(heights > BAND_M[0]) & (heights < BAND_M[1])][:, :2])
+    free_true = (stands.query(centers(0))[0] > resolution / 2).mean()
+    occupied_true = (stands.query(centers(100))[0] <= NEAR_SURFACE_M).mean()
+    floor = points[heights < FLOOR_M][:, :2]
+    floor = floor[(cKDTree(path[:, :2]).query(floor)[0] <= NEAR_PATH_M) & (stands.query(floor)[0] > resolution)]
+    at = numpy.floor((floor - origin) / resolution).astype(int)
+    inside = ((at >= 0) & (at < cells.shape[::-1])).all(1)
+    floor_free = (cells[at[inside, 1], at[inside, 0]] == 0).sum() / len(floor)
+    holds = free_true >= MIN_FREE_TRUE and floor_free >= MIN_FLOOR_FREE and occupied_true >= MIN_OCCUPIED_TRUE
+    return holds, (f"{100 * free_true:.1f} % of the free cells are free, {100 * floor_free:.1f} % of the floor within "
+                   f"{NEAR_PATH_M:.0f} m of the path is marked free, {100 * occupied_true:.1f} % of the occupied cells lie "
+                   f"within {100 * NEAR_SURFACE_M:.0f} cm of a surface")
+
+
+LINES = [Line("grid", f"the occupancy grid of {TOUR}, read as map_server reads it", grid, False)]
