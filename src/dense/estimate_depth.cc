@@ -61,8 +61,8 @@ cv::Mat Correlate(const Windows& view, const cv::Mat& neighbor_grey, const cv::M
   return correlation;
 }
 
-// The mean of the better half of the neighbours (of at most four: two), by pixel.
-cv::Mat BetterHalf(const std::vector<cv::Mat>& correlations) {
+// The mean of the two best neighbours (of two the better one), by pixel.
+cv::Mat BestTwo(const std::vector<cv::Mat>& correlations) {
   cv::Mat best(correlations[0].size(), CV_32F, cv::Scalar(kNothing)), second = best.clone();
   for (const cv::Mat& correlation : correlations) {
     second = cv::max(second, cv::min(best, correlation));
@@ -143,7 +143,7 @@ DepthMap EstimateDepth(const DepthView& view, const std::vector<const DepthView*
       const cv::Mat pixels = PixelsOnPlane(view, *neighbor, inverse_depth);
       correlations.push_back(Correlate(windows, neighbor->grey, pixels, options));
     }
-    scores.push_back(BetterHalf(correlations));
+    scores.push_back(BestTwo(correlations));
   }
   return ChooseDepths(scores, planes, windows.variance, options);
 }

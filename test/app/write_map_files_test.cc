@@ -87,7 +87,8 @@ TEST(WriteMapFiles, AsksForTheModelOnlyWhereAFormatNeedsIt) {
                            ++num_asked;
                            return MapModel();
                          },
-                         nullptr};
+                         nullptr,
+                         {}};
   const auto write = [&](const std::string& formats) {
     WriteMapFiles(SmallMap(1), source, ReadFormats(formats), folder.Path(), Overwrite::kAllow);
   };
@@ -99,7 +100,7 @@ TEST(WriteMapFiles, AsksForTheModelOnlyWhereAFormatNeedsIt) {
 
 TEST(PrintWritten, SaysWhatIsMissing) {
   std::ostringstream out;
-  PrintWritten({{"/a/b"}, 3}, out);
+  PrintWritten({{"/a/b"}, 3, {}}, out);
   EXPECT_EQ(out.str(), "wrote /a/b\n3 pictures were not at hand and are not among them\n");
 }
 

@@ -72,7 +72,8 @@ TEST_F(ExportMapTest, WritesTheFormatsAskedForAndSaysWhatIsMissing) {
                            model.images[1].name = "b";
                            return model;
                          },
-                         nullptr};
+                         nullptr,
+                         {}};
   const auto response = ExportMapFiles(*SmallMaps(1), source, folder_.string(), request);
   ASSERT_EQ(response.status.code, Status::OK) << response.status.message;
   EXPECT_NE(response.status.message.find("2 pictures were not at hand"), std::string::npos);

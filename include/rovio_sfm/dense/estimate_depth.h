@@ -9,7 +9,7 @@ namespace rovio_sfm {
 struct SweepOptions {
   int window_px = 7;             // of the correlation, odd, at half size
   int max_planes = 128;          // fewer where the neighbours' parallax needs fewer
-  double min_correlation = 0.6;  // mean of the better half of the neighbours
+  double min_correlation = 0.5;  // mean of the two best neighbours
   double min_contrast = 3.0;     // grey levels, standard deviation in the window
   // The next best plane apart from the best one's flanks must be that much worse.
   double min_margin = 0.02;
@@ -17,7 +17,7 @@ struct SweepOptions {
 
 // The depth map of a view by plane sweep (design 5.5): fronto-parallel planes, evenly spaced in
 // inverse depth over its range, a step of half a pixel or so of the widest neighbour; correlation
-// (NCC) with every neighbour, of which the better half counts, so that one may be hidden. Depths
+// (NCC) with every neighbour, of which the two best count, so that others may be hidden. Depths
 // between planes by a parabola. Needs at least two neighbours, else nothing is known.
 DepthMap EstimateDepth(const DepthView& view, const std::vector<const DepthView*>& neighbors,
                        const SweepOptions& options);

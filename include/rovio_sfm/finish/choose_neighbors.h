@@ -8,12 +8,12 @@
 namespace rovio_sfm {
 
 struct NeighborOptions {
-  size_t max_neighbors = 4;
+  size_t max_neighbors = 6;
   size_t min_common = 15;  // points that both see
   // Of the median angle at common points; outside of it pictures tell little, or look too
   // different.
-  double min_angle_rad = 0.03, max_angle_rad = 0.5;
-  double best_angle_rad = 0.14;  // 8 deg
+  double min_angle_rad = 0.015, max_angle_rad = 0.5;
+  double best_angle_rad = 0.1;  // 6 deg
 };
 
 // What the sweep of an image works with, from the points that it sees.
