@@ -53,9 +53,8 @@ TEST(MakeGrid, PointsAboveTheRobotDoNotStandInItsWay) {
 
 TEST(MakeGrid, ADenseCloudOccupiesToo) {
   PointCloud dense;
-  for (int i = 0; i < 3; ++i) dense.push_back({{2.0f, -0.8f, 0.2f}, {}, {}, 3});
-  EXPECT_EQ(CellAt(MakeGrid(SmallRoom(), &dense, {}), 2.0 + 1e-3, -0.8 + 1e-3),
-            GridCell::kOccupied);
+  for (int i = 0; i < 3; ++i) dense.push_back({{2.02f, -0.78f, 0.2f}, {}, {}, 3});
+  EXPECT_EQ(CellAt(MakeGrid(SmallRoom(), &dense, {}), 2.02, -0.78), GridCell::kOccupied);
 }
 
 TEST(MakeGrid, RefusesMapUnitsAndIsEmptyWithoutImages) {
