@@ -31,7 +31,7 @@ TEST(ReadFormats, ReadsEveryName) {
   std::string names = FormatNames();
   names.erase(std::remove(names.begin(), names.end(), ' '), names.end());
   const MapFormats all = ReadFormats(names);
-  EXPECT_EQ(all.size(), 8u);
+  EXPECT_EQ(all.size(), 12u);
   for (const MapFormat format : all) EXPECT_FALSE(MainPathOf(format).empty());
 }
 
