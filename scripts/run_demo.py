@@ -77,6 +77,7 @@ def finish(watch):
 
 
 def export():
+    print("dense cloud, surface, grid and page are made: a minute or three", flush=True)
     reply = yaml.safe_load(run("rosservice", "call", "/export_map",
                                f"{{map: 0, name: demo, overwrite: true, formats: '{FORMATS}'}}"))
     if not reply["files"]:
