@@ -31,7 +31,7 @@ MENDED = [
     ("bags/topics_nested.bag", ("--image-topic", "/camera/color/image_raw/compressed"), "8 images posed"),
     ("bags/topics_capital.bag", ("--image-topic", "/Robot1/image_raw/compressed"), "8 images posed"),
     ("bags/sim_frames_unprefixed.bag", ("--base-frame", "base_link"), "in metres"),
-    ("bags/sim_base_footprint.bag", ("--base-frame", "rovio1/base_footprint"), "in metres"),
+    ("bags/sim_base_footprint.bag", ("--base-frame", "base_footprint"), "in metres"),
     ("bags/sim_good.bag", (), "in metres"),
 ]
 COUNTED = {"left_out": dict, "tracks": dict, "places": dict, "why_in_map_units": str}
@@ -68,14 +68,15 @@ def offline(_quick):
     return not fallen, "; ".join(fallen) or f"{len(REFUSED)} cases say why"
 
 
-def mended(_quick):
+def mended(quick):
     """What the reasons recommend does help."""
+    chosen = MENDED[:4] if quick else MENDED
     fallen = []
-    for case, options, words in MENDED:
+    for case, options, words in chosen:
         status, said, _ = map_case(case, *options)
         if status != 0 or words not in said:
             fallen.append(f"{case} {' '.join(map(str, options))}: {status}, {said.strip().splitlines()[-2:]}")
-    return not fallen, "; ".join(fallen) or f"{len(MENDED)} cases are mapped with the option that is named"
+    return not fallen, "; ".join(fallen) or f"{len(chosen)} cases are mapped with the option that is named"
 
 
 def programs(_quick):
@@ -87,7 +88,7 @@ def programs(_quick):
 
 
 LINES = [
-    Line("programs", "every program says why it ends: a bad option, a bad file, no master", programs, True),
+    Line("programs", "every program says why it ends: a bad option, a bad file, no master", programs, False),
     Line("reasons", "what is left out is counted by reason, on the terminal and in summary.json; maps that are "
          "not metric say why", offline, True),
     Line("mended", "the option that a reason names helps: base frame, topics, calibration", mended, True),

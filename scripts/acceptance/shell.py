@@ -72,6 +72,15 @@ def unreadable(_quick):
     return holds, f"status {result.status}, {poses_of(out)} posed: {result.text.strip()[-120:]}"
 
 
+def renamed_to_jpg(dataset):
+    """Its pictures, of one size."""
+    folder = fresh_folder("shell/noise")
+    folder.mkdir(parents=True)
+    for picture in (dataset / "images").iterdir():
+        shutil.copy(picture, folder / (picture.stem + ".JPG"))
+    return folder
+
+
 def photos(_quick):
     work = fresh_folder("shell/photos")
     work.mkdir(parents=True)
@@ -83,7 +92,10 @@ def photos(_quick):
                              "train_places: 9 images"))
     outcomes.append(says("few .JPG", program("train_places", case("few_photos"), "--out",
                                              work / "few.places", *QUICK_MODEL), {0}, "6 images"))
-    outcomes.append(says("noise of .JPG", program("measure_noise", case("few_photos")), {0}, "pictures 6"))
+    outcomes.append(says("noise of .JPG", program("measure_noise", renamed_to_jpg(case("good7"))), {0},
+                         "pictures 7"))
+    outcomes.append(says("noise of other sizes", program("measure_noise", case("few_photos")), {1},
+                         "000001.JPG: other size than the first"))
     broken = program("evaluate_places", "--query", case("good7_broken"), "--database",
                      case("good7_broken"), "--out", work / "evaluated")
     outcomes.append(says("evaluate_places", broken, {1}, r"00000\d\.jpg"))
@@ -125,8 +137,8 @@ def scripts_anywhere(_quick):
             link = os.path.join(name, script)
             os.symlink(ROOT / "scripts" / script, link)
             outcomes.append(says(script, ended(link, cwd=name, env=environment), {0}))
-        shown = ended("bash", "-c", f". '{name}/tree/scripts/environment'; echo \"<$root>\"", cwd=name,
-                      env=environment)
+        shown = ended("bash", "-c", '. "$0"; echo "<$root>"', os.path.join(name, "tree/scripts/environment"),
+                      cwd=name, env=environment)
         outcomes.append(("environment", shown.text.strip() == f"<{ROOT}>", shown.text.strip()))
     return judge(outcomes)
 
