@@ -18,6 +18,7 @@ from rovio_sfm.msg import FrameEventMsg, MapStatus, PlaceMatchMsg
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "test/ros"))
+from driver_fixture import wait_until  # noqa: E402 (a folder of tests)
 from synthetic_drives import NUM_CAMERAS, World  # noqa: E402 (a folder of tests)
 
 PATIENCE_S = 120
@@ -29,11 +30,8 @@ OVERLAP_AT = 19  # camera whose frame is recognised
 
 
 def wait_for(condition, what):
-    end = time.monotonic() + PATIENCE_S
-    while not condition():
-        if time.monotonic() > end:
-            raise RuntimeError(f"no {what} within {PATIENCE_S} s")
-        time.sleep(0.02)
+    if not wait_until(condition, PATIENCE_S):
+        raise RuntimeError(f"no {what} within {PATIENCE_S} s")
 
 
 class Feeder:
