@@ -211,7 +211,7 @@ Json ViewsByImage(const MapModel& model) {
   return counts;
 }
 
-Json FiguresJson(const LevelMap& map, const PageNotes& notes) {
+Json FiguresJson(const LevelMap& map) {
   const MapStatistics statistics = ComputeMapStatistics(map);
   Json figures = {{"images", statistics.registered},
                   {"keyframes", statistics.registered_keyframes},
@@ -227,7 +227,6 @@ Json FiguresJson(const LevelMap& map, const PageNotes& notes) {
     figures["scale from"] = map.scale->source;
     figures["scale, 1 sigma, %"] = Short(100.0 * map.scale->sigma_log);
   }
-  for (const auto& [name, value] : notes.facts) figures[name] = value;
   return figures;
 }
 
@@ -249,7 +248,7 @@ std::string PageDataJson(const LevelMap& map, const MapModel& model, const PageN
   for (const auto& [stage, ms] : notes.stage_ms) stages.push_back({stage, Short(ms)});
   const Json page = {{"map", map.id.value},
                      {"unit", model.length_unit},
-                     {"figures", FiguresJson(map, notes)},
+                     {"figures", FiguresJson(map)},
                      {"warnings", WarningsJson(map, mesh, notes)},
                      {"tracks", TrackHistogram(model)},
                      {"errors", ErrorByImage(model)},

@@ -1,6 +1,7 @@
 // The services of MappingNode; see mapping_node.h.
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -122,16 +123,18 @@ bool MappingNode::ExportMap(ExportMapRequest& request, ExportMapResponse& respon
     return true;
   }
   const auto events = history_.EventsWithImages();
-  const auto kept = KeptImages(options_.output_dir);
+  std::optional<std::unique_ptr<MapStore>> kept;  // opened for the first picture of it
   const MapSource source{[&](const LevelMap&) {
                            if (!parts.model) throw std::runtime_error(parts.error);
                            return std::move(*parts.model);
                          },
                          [&](const ModelImage& image) {
                            const auto recent = ImageOf(image.id, events);
-                           return recent || !kept ? recent : kept->frames().ReadImage(image.id);
+                           if (recent) return recent;
+                           if (!kept) kept = KeptImages(options_.output_dir);
+                           return *kept ? (*kept)->frames().ReadImage(image.id) : recent;
                          },
-                         PageNotes{*engine_.Picture().merges, {}, {}, {}}};
+                         PageNotes{*engine_.Picture().merges}};
   response = ExportMapFiles(*parts.snapshot, source, options_.output_dir, request);
   return true;
 }

@@ -16,9 +16,10 @@ struct SweepOptions {
 };
 
 // The depth map of a view by plane sweep (design 5.5): fronto-parallel planes, evenly spaced in
-// inverse depth over its range, a step of half a pixel or so of the widest neighbour; correlation
-// (NCC) with every neighbour, of which the two best count, so that others may be hidden. Depths
-// between planes by a parabola. Needs at least two neighbours, else nothing is known.
+// inverse depth over its range, three quarters of a pixel of the widest neighbour apart (more where
+// that took too many); correlation (NCC) with every neighbour, of which the two best count, so that
+// others may be hidden. Depths between planes by a parabola. Needs at least two neighbours, else
+// nothing is known.
 DepthMap EstimateDepth(const DepthView& view, const std::vector<const DepthView*>& neighbors,
                        const SweepOptions& options);
 

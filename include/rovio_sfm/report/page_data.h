@@ -15,12 +15,11 @@ namespace rovio_sfm {
 // What is told of a map beside the map itself.
 struct PageNotes {
   std::vector<MergeReport> merges;
-  std::vector<std::pair<std::string, double>> stage_ms;    // time by stage, per image
-  std::vector<std::pair<std::string, std::string>> facts;  // further rows of figures
-  std::vector<std::string> warnings;                       // sentences
+  std::vector<std::pair<std::string, double>> stage_ms = {};  // time by stage, per image
+  std::vector<std::string> warnings = {};                     // sentences
 };
 
-// What the page of a map shows (docs/report.md), as JSON: figures, histograms, paths, cameras,
+// What the page of a map shows (docs/finish.md), as JSON: figures, histograms, paths, cameras,
 // overlaps, merges; cloud, dense cloud and mesh as base64 of little-endian arrays, thinned evenly
 // to at most kMaxPagePoints points each, a mesh of more than kMaxPageTriangles left out and told.
 // dense and mesh may be null.
