@@ -2,16 +2,14 @@
 
 #include <ros/serialization.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "rovio_sfm/ros/conversions.h"
+#include "rovio_sfm/ros/frame_page.h"
 #include "rovio_sfm/ros/status.h"
 
 namespace rovio_sfm {
 namespace {
-
-constexpr uint32_t kMaxPage = 100;
 
 size_t SizeOf(const FrameEventMsg& event) { return ros::serialization::serializationLength(event); }
 
@@ -56,24 +54,17 @@ GetFramesResponse EventHistory::Page(const GetFramesRequest& request) const {
     response.status = InvalidArgument("first." + error);
     return response;
   }
-  if (request.max_frames < 1 || request.max_frames > kMaxPage) {
+  if (request.max_frames < 1 || request.max_frames > kMaxPageFrames) {
     response.status = InvalidArgument("max_frames: expected 1 to 100");
     return response;
   }
+  FramePage page(request.max_frames);
   MutexLock lock(mutex_);
   for (const FrameEventMsg::ConstPtr& event : events_) {
     if (!IsOfDrive(*event, request.first.drive) || event->id.index < request.first.index) continue;
-    if (response.frames.size() == request.max_frames) {
-      response.more = true;
-      response.next_index = event->id.index;
-      break;
-    }
-    response.frames.push_back(*event);
+    if (!page.Add(*event)) break;
   }
-  response.status = response.frames.empty()
-                        ? NotFound("no frame of that drive from that index on is held")
-                        : Ok(std::to_string(response.frames.size()) + " frames");
-  return response;
+  return page.Take("no frame of that drive from that index on is held");
 }
 
 }  // namespace rovio_sfm

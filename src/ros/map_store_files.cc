@@ -1,11 +1,11 @@
 #include "rovio_sfm/ros/map_store_files.h"
 
-#include <algorithm>
 #include <exception>
 
 #include "rovio_sfm/app/store_folder.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/frame_event_message.h"
+#include "rovio_sfm/ros/frame_page.h"
 #include "rovio_sfm/ros/plain_name.h"
 #include "rovio_sfm/ros/status.h"
 
@@ -13,7 +13,6 @@ namespace rovio_sfm {
 namespace {
 
 constexpr char kSuffix[] = ".db";
-constexpr uint32_t kMaxPage = 100;
 
 bool IsStoreName(const std::string& name) {
   const size_t length = sizeof(kSuffix) - 1;
@@ -22,12 +21,10 @@ bool IsStoreName(const std::string& name) {
 }
 
 void AddPage(const StoredFrames& frames, const FrameId& first, uint32_t max_frames,
-             GetFramesResponse* response) {
+             FramePage* page) {
   for (const uint32_t index : frames.ReadIndices(first.drive, first.index, max_frames)) {
     const auto event = frames.ReadEvent({first.drive, index}, EventParts::kAll);
-    if (!event) continue;
-    response->frames.push_back(ToMessage(*event));
-    response->next_index = index + 1;
+    if (event && !page->Add(ToMessage(*event))) return;
   }
 }
 
@@ -78,14 +75,16 @@ GetFramesResponse PageOfStore(const std::string& output_dir, const GetFramesRequ
   }
   try {
     MapStore store(StoreFolder::FileIn(output_dir), StoreAccess::kRead);
-    AddPage(store.frames(), *first, std::min(request.max_frames, kMaxPage), &response);
+    FramePage page(request.max_frames);
+    AddPage(store.frames(), *first, request.max_frames, &page);
+    response = page.Take("no frame of that drive from that index on is kept");
   } catch (const std::exception& failure) {
     response.status = Internal(failure.what());
     return response;
   }
-  response.more = !response.frames.empty();
-  response.status = response.more ? Ok(std::to_string(response.frames.size()) + " frames")
-                                  : NotFound("no frame of that drive from that index on is kept");
+  if (response.frames.empty() || response.more) return response;
+  response.more = true;
+  response.next_index = response.frames.back().id.index + 1;
   return response;
 }
 

@@ -52,6 +52,15 @@ TEST(EventHistory, ForgetsTheOldestBeyondItsBytes) {
   EXPECT_EQ(history.Page(Request(0, 10)).frames.size(), 2u);
 }
 
+TEST(EventHistory, APageIsBoundedInBytes) {
+  EventHistory history(100, size_t{1} << 30);
+  for (uint32_t i = 0; i < 3; ++i) history.Add(Event(i, 1, size_t{9} << 20));
+  const GetFramesResponse page = history.Page(Request(0, 10));
+  ASSERT_EQ(page.frames.size(), 1u);
+  EXPECT_TRUE(page.more);
+  EXPECT_EQ(page.next_index, 1u);
+}
+
 TEST(EventHistory, GivesTheEventsThatBroughtAnImage) {
   EventHistory history(100, 1000000);
   history.Add(Event(0));
