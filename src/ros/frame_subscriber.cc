@@ -11,7 +11,6 @@ namespace rovio_sfm {
 namespace {
 
 constexpr double kWarnPeriodS = 10.0;
-constexpr double kForeignToldS = 30.0;
 
 }  // namespace
 
@@ -34,31 +33,24 @@ void FrameSubscriber::OnFrame(const std::string& robot, size_t subscriber,
                               const ros::MessageEvent<FrameEventMsg const>& message) {
   std::string error;
   std::optional<FrameEvent> event = FromMessage(*message.getConstMessage(), &error);
-  if (!event) return CountRefused("frame of " + robot + " refused: " + error);
+  if (!event) return Refuse("frame of " + robot + " refused: " + error);
   if (event->id.drive.robot != robot) {
-    return CountRefused("frame on /" + robot + "/frames refused: it says that its robot is " +
-                        event->id.drive.robot);
+    return Refuse("frame on /" + robot + "/frames refused: it says that its robot is " +
+                  event->id.drive.robot);
   }
   const double now_s = SteadySeconds();
   const bool is_only_sender = subscribers_.at(subscriber).getNumPublishers() <= 1;
   const auto refusal =
       senders_.RefusalOf(event->id.drive, {message.getPublisherName(), is_only_sender, now_s});
   if (refusal) {
-    ++num_foreign_;
-    foreign_ = *refusal;
-    foreign_s_ = now_s;
-    return CountRefused("frame refused: " + *refusal);
+    foreign_.Note(*refusal, now_s);
+    return Refuse("frame refused: " + *refusal);
   }
   handler_(message.getConstMessage(), std::move(*event));
 }
 
-std::string FrameSubscriber::ForeignSender() const {
-  const bool is_recent = !foreign_.empty() && SteadySeconds() - foreign_s_ < kForeignToldS;
-  return is_recent ? foreign_ : "";
-}
-
-void FrameSubscriber::CountRefused(const std::string& reason) {
-  ++num_refused_;
+void FrameSubscriber::Refuse(const std::string& reason) {
+  refused_.Note(reason, SteadySeconds());
   ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, reason);
 }
 

@@ -171,8 +171,8 @@ void MappingNode::OnPlaceMatch(const PlaceMatchMsg::ConstPtr& message) {
   std::string error;
   std::optional<PlaceMatch> match = FromMessage(*message, &error);
   if (!match) {
-    ++num_refused_matches_;
-    ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "place match refused: " << error);
+    refused_matches_.Note("place match refused: " + error, SteadySeconds());
+    ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, refused_matches_.Reason());
     return;
   }
   const size_t num_bytes = SizeOf(*match);
@@ -212,14 +212,9 @@ void MappingNode::CountGaps() {
 }
 
 void MappingNode::Tick() {
-  std::vector<AwaitedTopic> awaited;
-  if (engine_.Picture().num_events == 0) {
-    for (const std::string& robot : options_.robots) {
-      awaited.push_back(
-          {"frames", "/" + robot + "/" + topics::kFrames, {"rovio_sfm/FrameEventMsg"}});
-    }
-  }
-  hints_.Look(awaited, SteadySeconds());
+  const bool has_frames = engine_.Picture().num_events > 0;
+  hints_.Look(has_frames ? std::vector<AwaitedTopic>{} : AwaitedFrames(options_.robots),
+              SteadySeconds());
   diagnostics_.update();
 }
 
@@ -227,10 +222,10 @@ bool MappingNode::IsTimeUp() const { return give_up_s_ > 0.0 && SteadySeconds() 
 
 IngestCounters MappingNode::Counters() const {
   IngestCounters counters;
-  counters.refused = frame_subscriber_.NumRefused();
+  counters.refused = frame_subscriber_.refused().Count();
   counters.dropped = worker_.NumDropped(kFrameLane) + num_late_events_;
   counters.lost_gaps = num_lost_gaps_;
-  counters.refused_matches = num_refused_matches_;
+  counters.refused_matches = refused_matches_.Count();
   counters.dropped_matches = worker_.NumDropped(kMatchLane) + num_late_matches_;
   return counters;
 }
@@ -247,6 +242,7 @@ void MappingNode::Map(const FrameEventMsg::ConstPtr& message, const FrameEvent& 
   }
   const MapperReport report = engine_.Add(event);
   if (report.outcome == MapperOutcome::kRefused) {
+    unmapped_.Note("frame refused: " + report.reason, SteadySeconds());
     ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, "frame refused: " << report.reason);
     return;
   }

@@ -182,7 +182,7 @@ void PlaceRecognitionNode::PublishStatus(int64_t stamp_ns, double query_s) {
   status.vocabulary = options_.vocabulary;
   status.last_refusal = recognizer_.last_refusal();
   status.num_events = num_events_;
-  status.num_refused = subscriber_.NumRefused() + recognizer_.counters().out_of_order;
+  status.num_refused = subscriber_.refused().Count() + recognizer_.counters().out_of_order;
   status.num_dropped = worker_.NumDropped(kFrameLane);
   status.num_fetched = num_fetched_;
   status.num_missing = num_missing_;
@@ -200,12 +200,23 @@ PlaceStatus PlaceRecognitionNode::LastStatus() const {
   return status_;
 }
 
+void PlaceRecognitionNode::Tick() {
+  const PlaceStatus last = LastStatus();
+  const bool has_frames = last.num_events + last.num_fetched > 0;
+  hints_.Look(has_frames ? std::vector<AwaitedTopic>{} : AwaitedFrames(options_.robots),
+              SteadySeconds());
+  pace_.Tick();
+}
+
 void PlaceRecognitionNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using Level = diagnostic_msgs::DiagnosticStatus;
   const PlaceStatus last = LastStatus();
-  const std::string foreign = subscriber_.ForeignSender();
+  const std::string foreign = subscriber_.foreign().RecentReason(SteadySeconds());
+  const std::string refused = subscriber_.refused().RecentReason(SteadySeconds());
   if (!foreign.empty()) {
     status.summary(Level::ERROR, foreign);
+  } else if (!refused.empty()) {
+    status.summary(Level::WARN, refused);
   } else if (last.num_events + last.num_fetched == 0) {
     status.summary(Level::WARN, "no frames yet");
   } else if (last.num_foreign_type > 0) {
@@ -216,8 +227,10 @@ void PlaceRecognitionNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper&
   status.add("events", last.num_events);
   status.add("events queued", worker_.NumQueued(kFrameLane));
   status.add("events dropped, queue full", worker_.NumDropped(kFrameLane));
-  status.add("events refused", subscriber_.NumRefused());
-  status.add("events refused, foreign sender", subscriber_.NumForeign());
+  status.add("events refused", subscriber_.refused().Count());
+  status.add("events refused, foreign sender", subscriber_.foreign().Count());
+  status.add("newest event refused", subscriber_.refused().Reason());
+  status.add("newest keyframe refused", last.last_refusal);
   status.add("events fetched", last.num_fetched);
   status.add("events missing", last.num_missing);
   status.add("places", last.num_places);

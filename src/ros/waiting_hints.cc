@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "rovio_sfm/ros/topics.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -25,6 +27,14 @@ std::vector<std::string> TopicsOfTypes(const std::set<std::string>& types) {
 }
 
 }  // namespace
+
+std::vector<AwaitedTopic> AwaitedFrames(const std::vector<std::string>& robots) {
+  std::vector<AwaitedTopic> awaited;
+  for (const std::string& robot : robots) {
+    awaited.push_back({"frames", "/" + robot + "/" + topics::kFrames, {"rovio_sfm/FrameEventMsg"}});
+  }
+  return awaited;
+}
 
 void WaitingHints::Look(const std::vector<AwaitedTopic>& awaited, double now_s) {
   if (next_s_ == 0.0) next_s_ = now_s + kFirstAfterS;

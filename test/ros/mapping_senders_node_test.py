@@ -51,6 +51,9 @@ class SendersTest(unittest.TestCase):
         world = World(rospy.Time.now())
         self.send(world, range(10))
         self.wait_for(lambda s: self.keyframes(s, 1) == 10)
+        self.frames.publish(FrameEventMsg())
+        self.assertTrue(wait_until(lambda: "frame of rovio1 refused: "
+                                   in diagnostic(self.diagnostics, "frames to maps")[1], 20))
         stray = subprocess.run([sys.executable, os.path.abspath(__file__), "--stray"], timeout=60,
                                check=False)
         self.assertEqual(stray.returncode, 0)

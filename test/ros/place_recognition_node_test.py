@@ -10,12 +10,13 @@ import unittest
 import cv2
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray
 from rovio_sfm.msg import CameraMsg, FrameEventMsg, PlaceMatchMsg, PlaceStatus, Status
 from rovio_sfm.srv import FindOverlaps, QueryImage
 from sensor_msgs.msg import CompressedImage
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from driver_fixture import Collector, wait_until
+from driver_fixture import Collector, diagnostic, wait_until
 from robot_images import Robot, WAIT_S
 
 
@@ -93,7 +94,12 @@ class PlaceRecognitionNodeTest(unittest.TestCase):
     def test_malformed_event_does_no_harm(self):
         publisher = rospy.Publisher("/rovio2/frames", FrameEventMsg, queue_size=5)
         self.assertTrue(wait_until(lambda: publisher.get_num_connections() > 0, WAIT_S))
-        publisher.publish(FrameEventMsg())
+        diagnostics = Collector("/diagnostics", DiagnosticArray)
+
+        def is_told():  # mapping listens too, so that who is connected may not be who is meant
+            publisher.publish(FrameEventMsg())
+            return "frame of rovio2 refused: " in diagnostic(diagnostics, "frames to places")[1]
+        self.assertTrue(wait_until(is_told, WAIT_S), str(diagnostics.messages[-1:]))
         reply = self.call("/query_image", QueryImage, self.picture(), self.camera())
         self.assertEqual(reply.status.code, Status.OK)
 

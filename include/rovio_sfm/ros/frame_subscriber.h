@@ -3,13 +3,13 @@
 #include <ros/ros.h>
 #include <rovio_sfm/FrameEventMsg.h>
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "rovio_sfm/app/frame_senders.h"
+#include "rovio_sfm/ros/newest_refusal.h"
 #include "rovio_sfm/scene/events.h"
 
 namespace rovio_sfm {
@@ -25,22 +25,18 @@ class FrameSubscriber {
 
   // Hands on nothing more.
   void Stop() { subscribers_.clear(); }
-  uint64_t NumRefused() const { return num_refused_; }
+  const NewestRefusal& refused() const { return refused_; }
   // Of those: of a foreign sender.
-  uint64_t NumForeign() const { return num_foreign_; }
-  // What was last refused of a foreign sender, within the last half minute; else empty.
-  std::string ForeignSender() const;
+  const NewestRefusal& foreign() const { return foreign_; }
 
  private:
   void OnFrame(const std::string& robot, size_t subscriber,
                const ros::MessageEvent<FrameEventMsg const>& message);
-  void CountRefused(const std::string& reason);
+  void Refuse(const std::string& reason);
 
   Handler handler_;
-  FrameSenders senders_;  // of the spinning thread, as what was refused
-  std::string foreign_;
-  double foreign_s_ = 0.0;
-  std::atomic<uint64_t> num_refused_{0}, num_foreign_{0};
+  FrameSenders senders_;  // of the spinning thread
+  NewestRefusal refused_, foreign_;
   std::vector<ros::Subscriber> subscribers_;
 };
 

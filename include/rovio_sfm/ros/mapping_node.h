@@ -64,6 +64,10 @@ class MappingNode {
   void OnPlaceMatch(const PlaceMatchMsg::ConstPtr& message);
   void OnAnswer(const GapFetch& fetch, std::vector<FetchedFrame> frames);  // threads of fetcher_
   bool IsTimeUp() const;
+  // Why something was refused within the last half minute; else empty.
+  std::string RecentRefusal() const;
+  void Summarize(const MapPicture& picture,
+                 diagnostic_updater::DiagnosticStatusWrapper* status) const;
   void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
   IngestCounters Counters() const;
 
@@ -106,9 +110,9 @@ class MappingNode {
   MapPublisher publisher_;
   EventHistory history_;
   FrameFetcher fetcher_;
-  GapFiller gap_filler_;      // of the worker
-  double next_save_s_ = 0.0;  // likewise
-  std::atomic<uint64_t> num_refused_matches_{0};
+  GapFiller gap_filler_;                                            // of the worker
+  double next_save_s_ = 0.0;                                        // likewise
+  NewestRefusal refused_matches_, unmapped_;                        // unmapped: well-formed frames
   std::atomic<uint64_t> num_late_events_{0}, num_late_matches_{0};  // queued, dropped at the end
   std::atomic<uint64_t> num_lost_gaps_{0}, num_held_{0};            // of gap_filler_
   std::atomic<double> give_up_s_{0.0};                              // steady time; 0: never

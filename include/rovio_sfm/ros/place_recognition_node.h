@@ -23,6 +23,7 @@
 #include "rovio_sfm/ros/fetch_frames.h"
 #include "rovio_sfm/ros/frame_subscriber.h"
 #include "rovio_sfm/ros/job_worker.h"
+#include "rovio_sfm/ros/waiting_hints.h"
 #include "rovio_sfm/scene/frame_cache.h"
 #include "rovio_sfm/util/mutex.h"
 
@@ -37,7 +38,8 @@ class PlaceRecognitionNode {
                        ros::NodeHandle private_node);
   ~PlaceRecognitionNode();
 
-  void Tick() { pace_.Tick(); }
+  // Diagnostics, and what is waited for; call at least ten times a second.
+  void Tick();
 
  private:
   // What the worker has to do, by kind; WorkerLanes has the bounds.
@@ -84,6 +86,7 @@ class PlaceRecognitionNode {
   ros::AsyncSpinner service_spinner_;
   diagnostic_updater::Updater diagnostics_;
   DiagnosticPace pace_{&diagnostics_};
+  WaitingHints hints_;
   JobWorker worker_;            // its thread uses the others
   FrameSubscriber subscriber_;  // pushes to the worker
 };

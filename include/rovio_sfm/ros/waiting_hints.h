@@ -13,6 +13,9 @@ struct AwaitedTopic {
   std::set<std::string> types;  // of messages, as rostopic says them
 };
 
+// The frames of every robot.
+std::vector<AwaitedTopic> AwaitedFrames(const std::vector<std::string>& robots);
+
 // Says on the terminal what a node waits for, and which topics of that type there are: 5 s after
 // the start, then every 30 s. Not thread-safe.
 class WaitingHints {
