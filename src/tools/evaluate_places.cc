@@ -89,7 +89,7 @@ Side ReadSide(const std::vector<std::string>& folders, size_t stride, const Argu
   Side side;
   for (const std::string& folder : folders) {
     side.folders.push_back(ReadPlaceImages(folder, stride));
-    for (PlaceImage& image : ExtractPlaceImages(side.folders.back(), (*num_folders)++,
+    for (PlaceImage& image : ExtractPlaceImages(&side.folders.back(), (*num_folders)++,
                                                 arguments.frontend, arguments.num_threads)) {
       side.images.push_back(std::move(image));
     }

@@ -16,11 +16,15 @@
 namespace rovio_sfm {
 namespace {
 
-PlaceImage ExtractPlaceImage(const PlaceImages& images, uint32_t index, uint32_t folder,
-                             const FrontendOptions& options) {
+// None, named: the image cannot be read.
+std::optional<PlaceImage> ExtractPlaceImage(const PlaceImages& images, uint32_t index,
+                                            uint32_t folder, const FrontendOptions& options) {
   const DatasetImage& source = images.dataset.images[index];
   const DecodeResult decoded = ReadPicture(source.path, options.max_pixels);
-  if (decoded.bgr.empty()) throw std::runtime_error(decoded.reason);
+  if (decoded.bgr.empty()) {
+    TellLeftOut(decoded.reason);
+    return std::nullopt;
+  }
   PlaceImage image;
   image.name = images.dataset.path.filename().string() + "/" + source.path.filename().string();
   image.id = {{"folder_" + std::to_string(folder), folder, 0}, index};
@@ -161,20 +165,39 @@ class TrialRunner {
   PlaceTrial trial_;
 };
 
+// Those that were read; the others go out of `images` too.
+std::vector<PlaceImage> KeepRead(std::vector<std::optional<PlaceImage>> found,
+                                 PlaceImages* images) {
+  std::vector<PlaceImage> kept;
+  for (size_t i = 0; i < found.size(); ++i) {
+    if (!found[i]) continue;
+    images->indices[kept.size()] = images->indices[i];
+    images->poses[kept.size()] = images->poses[i];
+    kept.push_back(std::move(*found[i]));
+  }
+  if (kept.empty()) {
+    throw std::runtime_error(images->dataset.path.string() + ": none of " +
+                             std::to_string(found.size()) + " images can be read");
+  }
+  images->indices.resize(kept.size());
+  images->poses.resize(kept.size());
+  return kept;
+}
+
 }  // namespace
 
-std::vector<PlaceImage> ExtractPlaceImages(const PlaceImages& images, uint32_t folder,
+std::vector<PlaceImage> ExtractPlaceImages(PlaceImages* images, uint32_t folder,
                                            const FrontendOptions& options, int num_threads) {
   Executor executor(num_threads > 1 ? num_threads : 0);
-  TaskGroup<PlaceImage> tasks(&executor);
-  for (const uint32_t index : images.indices) {
-    tasks.Add([&images, index, folder, &options] {
-      return ExtractPlaceImage(images, index, folder, options);
+  TaskGroup<std::optional<PlaceImage>> tasks(&executor);
+  for (const uint32_t index : images->indices) {
+    tasks.Add([images, index, folder, &options] {
+      return ExtractPlaceImage(*images, index, folder, options);
     });
   }
-  std::vector<PlaceImage> extracted;
-  while (tasks.NumPending() > 0) extracted.push_back(tasks.TakeNext());
-  return extracted;
+  std::vector<std::optional<PlaceImage>> found;
+  while (tasks.NumPending() > 0) found.push_back(tasks.TakeNext());
+  return KeepRead(std::move(found), images);
 }
 
 bool KnowsImage(const std::vector<PlaceImage>& queries, size_t i, size_t j, size_t self_gap) {

@@ -54,6 +54,13 @@ TEST_F(EvaluatePlacesTest, WritesSummaryCurvesAndAnswers) {
   EXPECT_TRUE(std::filesystem::exists(PathOf("out/answers.csv")));
 }
 
+TEST_F(EvaluatePlacesTest, GoesOnAfterABrokenPhoto) {
+  std::ofstream(PathOf("a/images/000002.png")) << "no picture";
+  ASSERT_EQ(Run({"--truth", "overlaps", "--out", PathOf("out")}), 0) << printed_;
+  std::ifstream file(PathOf("out/summary.json"));
+  EXPECT_EQ(nlohmann::json::parse(file)["places"], 5);
+}
+
 TEST_F(EvaluatePlacesTest, TakesTruthFromAMatrix) {
   std::ofstream(PathOf("truth.txt")) << "1 0 -1 0\n0 0 0 0\n";
   ASSERT_EQ(Run({"--matrix", PathOf("truth.txt"), "--out", PathOf("out")}), 0) << printed_;

@@ -85,21 +85,35 @@ TEST(PlaceTrial, ThePriorFollowsTheQueryBefore) {
 TEST(PlaceTrial, ExtractsAFolderWhateverTheThreads) {
   const TemporaryFolder folder;
   WritePlaceFolder(folder.Path(), 3, 1);
-  const PlaceImages images = ReadPlaceImages(folder.Path().string(), 1);
-  const auto one = ExtractPlaceImages(images, 5, {}, 1);
-  const auto two = ExtractPlaceImages(images, 5, {}, 2);
+  PlaceImages images = ReadPlaceImages(folder.Path().string(), 1);
+  const auto one = ExtractPlaceImages(&images, 5, {}, 1);
+  const auto two = ExtractPlaceImages(&images, 5, {}, 2);
   ASSERT_EQ(one.size(), 3u);
   EXPECT_EQ(one[2].id.index, 2u);
   EXPECT_GT(one[2].features->keypoints.size(), 50u);
   EXPECT_EQ(one[2].features->descriptors.data, two[2].features->descriptors.data);
 }
 
-TEST(PlaceTrial, UnreadableImageIsAnError) {
+TEST(PlaceTrial, AnImageThatCannotBeReadCostsThatImage) {
+  const TemporaryFolder folder;
+  WritePlaceFolder(folder.Path(), 3, 1);
+  std::ofstream(folder.Path() / "images/000001.png") << "no picture";
+  PlaceImages images = ReadPlaceImages(folder.Path().string(), 1);
+  const auto poses = images.poses;
+  const auto extracted = ExtractPlaceImages(&images, 0, {}, 2);
+  ASSERT_EQ(extracted.size(), 2u);
+  EXPECT_EQ(extracted[1].id.index, 2u);
+  EXPECT_EQ(images.indices, (std::vector<uint32_t>{0, 2}));
+  ASSERT_EQ(images.poses.size(), 2u);
+  EXPECT_EQ(images.poses[1]->translation, poses[2]->translation);
+}
+
+TEST(PlaceTrial, NoReadableImageIsAnError) {
   const TemporaryFolder folder;
   WritePlaceFolder(folder.Path(), 1, 1);
   std::ofstream(folder.Path() / "images/000000.png") << "no picture";
-  const PlaceImages images = ReadPlaceImages(folder.Path().string(), 1);
-  EXPECT_THROW(ExtractPlaceImages(images, 0, {}, 1), std::runtime_error);
+  PlaceImages images = ReadPlaceImages(folder.Path().string(), 1);
+  EXPECT_THROW(ExtractPlaceImages(&images, 0, {}, 1), std::runtime_error);
 }
 
 }  // namespace

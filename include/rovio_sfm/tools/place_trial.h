@@ -22,8 +22,9 @@ struct PlaceImage {
 };
 
 // Reads the images of a folder and extracts their features as a frontend would, on num_threads
-// threads; the n-th folder is the n-th drive. Throws std::runtime_error for an unreadable image.
-std::vector<PlaceImage> ExtractPlaceImages(const PlaceImages& images, uint32_t folder,
+// threads; the n-th folder is the n-th drive. An image that cannot be read is named and taken out
+// of images. Throws std::runtime_error where none can be read.
+std::vector<PlaceImage> ExtractPlaceImages(PlaceImages* images, uint32_t folder,
                                            const FrontendOptions& options, int num_threads);
 
 // How the queries are asked.
