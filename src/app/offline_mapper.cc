@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "rovio_sfm/app/wait_for_end.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -29,6 +31,9 @@ void Add(const FrontendCounters& more, FrontendCounters* sum) {
 uint64_t NumDropped(const FrontendCounters& counters) {
   return counters.refused + counters.spoilt + counters.featureless + counters.untracked;
 }
+
+// The other half is for adjusting and writing.
+bool HasTimeToMap() { return SecondsSinceStop().value_or(0.0) < kEndBudgetS / 2; }
 
 }  // namespace
 
@@ -150,22 +155,32 @@ void OfflineMapper::KeepBest(const std::optional<Localization>& pose) {
 
 // A match's query is the later frame: by query, the thesis's table T is inverted.
 void OfflineMapper::MapSeeded() {
-  std::vector<std::vector<PlaceMatch>> matches(drives_.size());
-  for (size_t i = 0; i < drives_.size() && recognizer_; ++i) {
-    for (const FrameEvent& event : drives_[i]) {
+  const std::vector<std::vector<FrameEvent>> drives = std::exchange(drives_, {});
+  std::vector<std::vector<PlaceMatch>> matches(drives.size());
+  for (size_t i = 0; i < drives.size() && recognizer_; ++i) {
+    for (const FrameEvent& event : drives[i]) {
+      if (!HasTimeToMap()) break;
       store_->Put(event);
       for (PlaceMatch& match : recognizer_->Add(event)) matches[i].push_back(std::move(match));
     }
   }
-  for (size_t i = 0; i < drives_.size(); ++i) {
-    if (i > 0) {
-      mapper_.AddSeeded(drives_[i], matches[i]);
-      continue;
+  for (size_t i = 0; i < drives.size() && (i == 0 || HasTimeToMap()); ++i) {
+    if (i == 0) {
+      MapFirst(drives[i], matches[i]);
+    } else {
+      mapper_.AddSeeded(drives[i], matches[i]);
     }
-    for (const FrameEvent& event : drives_[i]) mapper_.Add(event);
-    for (const PlaceMatch& match : matches[i]) mapper_.Add(match);
-    mapper_.FinishSession(drives_[i].front().id.drive);
   }
+}
+
+void OfflineMapper::MapFirst(const std::vector<FrameEvent>& events,
+                             const std::vector<PlaceMatch>& matches) {
+  for (const FrameEvent& event : events) {
+    if (!HasTimeToMap()) return;
+    mapper_.Add(event);
+  }
+  for (const PlaceMatch& match : matches) mapper_.Add(match);
+  mapper_.FinishSession(events.front().id.drive);
 }
 
 void OfflineMapper::FinishDrive() {
@@ -184,6 +199,7 @@ ReasonCounts OfflineMapper::reasons() const {
 std::shared_ptr<const MapSnapshot> OfflineMapper::Drain() {
   FinishDrive();
   if (mapping_) mapping_->Finish();
+  if (options_.seeded && !localizer_) MapSeeded();
   if (kept_ != nullptr && !localizer_) mapper_.SaveTo(kept_);
   return mapper_.Snapshot();
 }
@@ -191,7 +207,6 @@ std::shared_ptr<const MapSnapshot> OfflineMapper::Drain() {
 std::shared_ptr<const MapSnapshot> OfflineMapper::Finish() {
   const std::shared_ptr<const MapSnapshot> drained = Drain();
   if (localizer_) return drained;
-  if (options_.seeded) MapSeeded();
   mapper_.Finish();
   if (kept_ != nullptr) mapper_.SaveTo(kept_);
   return mapper_.Snapshot();

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <stdexcept>
+#include <system_error>
 
 #include "rovio_sfm/io/write_file.h"
 
@@ -38,6 +39,16 @@ std::filesystem::path DefaultFolder(const OutputPlace& place) {
   return std::filesystem::absolute(free);
 }
 
+void RequireWritable(const std::filesystem::path& folder) {
+  const std::filesystem::path probe = folder / (".probe." + std::to_string(::getpid()));
+  try {
+    WriteFile(probe, std::string(kProbeBytes, '\0'), Overwrite::kAllow);
+  } catch (const std::system_error& error) {
+    throw std::runtime_error(folder.string() + ": cannot be written: " + error.code().message());
+  }
+  std::filesystem::remove(probe);
+}
+
 void RequireRoom(const std::filesystem::path& folder, uintmax_t num_bytes) {
   const uintmax_t available = std::filesystem::space(folder).available;
   if (available >= num_bytes) return;
@@ -66,9 +77,7 @@ void RequireWritableFolder(const std::filesystem::path& folder, uintmax_t num_by
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw std::runtime_error(folder.string() + ": cannot be made: " + error.message());
-  const std::filesystem::path probe = folder / (".probe." + std::to_string(::getpid()));
-  WriteFile(probe, std::string(kProbeBytes, '\0'), Overwrite::kAllow);
-  std::filesystem::remove(probe);
+  RequireWritable(folder);
   RequireRoom(folder, num_bytes);
 }
 

@@ -34,10 +34,40 @@ void RemoveStore(const std::filesystem::path& file) {
   for (const char* side : kSideFiles) std::filesystem::remove(file.string() + side);
 }
 
+// The log goes into the file itself, so that one rename moves the whole store.
+void FoldLog(const std::filesystem::path& file) {
+  try {
+    MapStore(file, StoreAccess::kWrite);
+  } catch (const StoreError&) {  // what is no store of ours has no log of ours
+  }
+}
+
+void MoveStore(const std::filesystem::path& from, const std::filesystem::path& to) {
+  FoldLog(from);
+  for (const char* side : kSideFiles) {
+    if (std::filesystem::exists(from.string() + side)) {
+      std::filesystem::rename(from.string() + side, to.string() + side);
+    }
+  }
+}
+
+// A run that was replacing a store, and ended before it had written anything, took nothing away.
+void ReplaceStore(const std::filesystem::path& file, const std::filesystem::path& replaced) {
+  if (std::filesystem::exists(replaced)) {
+    RemoveStore(file);
+  } else {
+    MoveStore(file, replaced);
+  }
+}
+
 }  // namespace
 
 std::filesystem::path StoreFolder::FileIn(const std::filesystem::path& folder) {
   return folder / "map.db";
+}
+
+std::filesystem::path StoreFolder::ReplacedIn(const std::filesystem::path& folder) {
+  return folder / "map.db.replaced";
 }
 
 StoreFolder::StoreFolder(const std::filesystem::path& folder, ExistingStore existing,
@@ -49,14 +79,18 @@ StoreFolder::StoreFolder(const std::filesystem::path& folder, ExistingStore exis
     return;
   }
   std::filesystem::create_directories(folder);
-  const bool exists = std::filesystem::exists(file);
+  const std::filesystem::path replaced = ReplacedIn(folder);
+  const bool exists = std::filesystem::exists(file) || std::filesystem::exists(replaced);
   if (exists && existing == ExistingStore::kRefuse) {
     throw std::runtime_error(file.string() +
                              " exists; give --resume to go on with it, --overwrite to replace it");
   }
   lock_ = LockFolder(folder);
   try {
-    if (exists && existing == ExistingStore::kReplace) RemoveStore(file);
+    if (!std::filesystem::exists(file) && std::filesystem::exists(replaced)) {
+      MoveStore(replaced, file);
+    }
+    if (exists && existing == ExistingStore::kReplace) ReplaceStore(file, replaced);
     store_ = std::make_unique<MapStore>(file, StoreAccess::kCreate, options);
   } catch (...) {
     close(lock_);
@@ -68,6 +102,8 @@ StoreFolder::~StoreFolder() {
   store_.reset();
   if (lock_ >= 0) close(lock_);
 }
+
+void StoreFolder::DropReplaced() { RemoveStore(ReplacedIn(folder_)); }
 
 std::filesystem::path StoreFolder::PutAside() {
   store_.reset();  // its log goes into the file itself

@@ -31,7 +31,10 @@ DatasetImage ParseImage(const TextLine& line, const std::filesystem::path& folde
   RequireInside(line, image.name);
   image.path = folder / image.name;
   if (!std::filesystem::is_regular_file(image.path)) {
-    line.Fail("field filename: no such file " + image.path.string());
+    const bool exists = std::filesystem::exists(image.path);
+    line.Fail("field filename: " +
+              std::string(exists ? "no file, but something else: " : "no such file ") +
+              image.path.string());
   }
   return image;
 }

@@ -1,9 +1,11 @@
 #include "rovio_sfm/io/text_file.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -155,8 +157,9 @@ std::vector<uint8_t> ReadBytes(const std::filesystem::path& path, uintmax_t max_
     throw std::runtime_error(path.string() + ": " + std::to_string(size) + " bytes, more than " +
                              std::to_string(max_bytes));
   }
-  std::vector<uint8_t> bytes(size);
   std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw std::runtime_error(path.string() + ": " + std::strerror(errno));
+  std::vector<uint8_t> bytes(size);
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
   if (!stream) throw std::runtime_error(path.string() + ": cannot be read");
   return bytes;

@@ -6,14 +6,13 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
-#include <cstring>
-#include <stdexcept>
+#include <system_error>
 
 namespace rovio_sfm {
 namespace {
 
 [[noreturn]] void Fail(const std::filesystem::path& path, const std::string& what, int error) {
-  throw std::runtime_error(path.string() + ": " + what + ": " + std::strerror(error));
+  throw std::system_error(error, std::generic_category(), path.string() + ": " + what);
 }
 
 // An open file descriptor, closed when it goes.

@@ -139,6 +139,7 @@ int FinishRun(RunToFinish finish, const Json& header, std::ostream& out) {
   Complete(finish, &first);
   std::vector<WrittenMap> maps =
       WriteResults(finish, first, header, MayReplaceResults(*finish.arguments));
+  if (finish.store != nullptr && !maps.empty()) finish.store->DropReplaced();
   finish.run.snapshot =
       EndInTime([&] { return finish.mapper->Finish(); }, [&] { EndUnadjusted(maps, out); });
   Complete(finish, &finish.run);

@@ -49,6 +49,15 @@ TEST(RequireWritableFolder, MakesItAndLeavesNothing) {
   std::filesystem::remove_all(folder.parent_path());
 }
 
+TEST(RequireWritableFolder, NamesTheFolderAndWhyItCannotBeWritten) {
+  try {
+    RequireWritableFolder("/proc", 1);
+    ADD_FAILURE() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()), "/proc: cannot be written: No such file or directory");
+  }
+}
+
 TEST(RequireWritableFolder, RefusesAFileAndTooLittleRoom) {
   const std::filesystem::path file = testing::TempDir() + "/a_file";
   std::ofstream(file) << "x";

@@ -31,6 +31,41 @@ TEST(StoreFolder, AnExistingStoreIsRefusedResumedOrReplaced) {
   EXPECT_TRUE(StoreFolder(maps, ExistingStore::kReplace).store().frames().ReadDrives().empty());
 }
 
+size_t NumDrivesIn(const std::filesystem::path& file) {
+  return MapStore(file, StoreAccess::kRead).frames().ReadDrives().size();
+}
+
+TEST(StoreFolder, WhatIsReplacedStaysUntilThereIsSomethingElse) {
+  TemporaryFolder folder;
+  const auto replaced = StoreFolder::ReplacedIn(folder.Path());
+  { KeepOneFrame(&StoreFolder(folder.Path(), ExistingStore::kRefuse).store()); }
+  { const StoreFolder ended_early(folder.Path(), ExistingStore::kReplace); }
+  EXPECT_EQ(NumDrivesIn(replaced), 1u);
+  { const StoreFolder ended_again(folder.Path(), ExistingStore::kReplace); }
+  EXPECT_EQ(NumDrivesIn(replaced), 1u);
+  StoreFolder(folder.Path(), ExistingStore::kReplace).DropReplaced();
+  EXPECT_FALSE(std::filesystem::exists(replaced));
+  EXPECT_EQ(NumDrivesIn(StoreFolder::FileIn(folder.Path())), 0u);
+}
+
+TEST(StoreFolder, AStoreIsBackWhereNoneTookItsPlace) {
+  TemporaryFolder folder;
+  { KeepOneFrame(&StoreFolder(folder.Path(), ExistingStore::kRefuse).store()); }
+  std::filesystem::rename(StoreFolder::FileIn(folder.Path()),
+                          StoreFolder::ReplacedIn(folder.Path()));
+  EXPECT_NE(RefusalOf(folder.Path(), ExistingStore::kRefuse).find("--resume"), std::string::npos);
+  EXPECT_EQ(StoreFolder(folder.Path(), ExistingStore::kResume).store().frames().ReadDrives().size(),
+            1u);
+}
+
+TEST(StoreFolder, WhatIsNoStoreIsReplacedToo) {
+  TemporaryFolder folder;
+  folder.Write("map.db", "a letter to my aunt");
+  const StoreFolder fresh(folder.Path(), ExistingStore::kReplace);
+  EXPECT_TRUE(fresh.store().error().empty());
+  EXPECT_EQ(std::filesystem::file_size(StoreFolder::ReplacedIn(folder.Path())), 19u);
+}
+
 TEST(StoreFolder, OneProcessAtATime) {
   TemporaryFolder folder;
   StoreFolder first(folder.Path(), ExistingStore::kRefuse);

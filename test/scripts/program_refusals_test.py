@@ -31,6 +31,8 @@ AWAITED = {
     "frontend": ["no images on /rovio1/image_raw/compressed yet; topics of that type: none",
                  "no camera_info on /rovio1/camera_info yet", "nobody publishes /clock"],
     "mapping": ["no frames on /rovio1/frames yet; topics of that type: none", "nobody publishes /clock"],
+    "place_recognition": ["no frames on /rovio1/frames yet; topics of that type: none",
+                          "nobody publishes /clock"],
 }
 TOOLS = {
     "calibrate_camera": [NOWHERE, "--out", "{out}/camera.yaml"],

@@ -63,8 +63,8 @@ class OfflineMapper {
   void StartDrive(const std::string& robot);
   // The next image of the drive; waits where too many are under way.
   void Add(ImageEvent image);
-  // Maps what is under way. The snapshot is of the maps as they stand; no image may follow. With
-  // `seeded` nothing is mapped yet.
+  // Maps what is under way, with `seeded` all drives; after a stop signal no longer than half of
+  // what is left to end in. The snapshot is of the maps as they stand; no image may follow.
   std::shared_ptr<const MapSnapshot> Drain();
   // Drains, and ends the last drive; its snapshot is final.
   std::shared_ptr<const MapSnapshot> Finish();
@@ -95,6 +95,7 @@ class OfflineMapper {
   void TakeOldest();
   void Map(const FrameEvent& event);
   void MapSeeded();
+  void MapFirst(const std::vector<FrameEvent>& events, const std::vector<PlaceMatch>& matches);
   void Localize(const FrameEvent& event);
   void KeepBest(const std::optional<Localization>& pose);
 

@@ -13,7 +13,8 @@ enum class ExistingStore { kRefuse, kResume, kReplace, kRead };
 // The maps of a folder on disk, held against every other process as long as this lives.
 class StoreFolder {
  public:
-  // Makes the folder, and opens or makes the store in it; kRead: opens it, and changes nothing.
+  // Makes the folder, and opens or makes the store in it; kRead: opens it, and changes nothing;
+  // kReplace: the store that is there is put aside as ReplacedIn until DropReplaced.
   // Throws std::runtime_error where a store is there and refused, another process maps into it, or
   // there is none to be read.
   StoreFolder(const std::filesystem::path& folder, ExistingStore existing,
@@ -23,9 +24,14 @@ class StoreFolder {
   StoreFolder& operator=(const StoreFolder&) = delete;
 
   static std::filesystem::path FileIn(const std::filesystem::path& folder);
+  // The store that a run replaces which has nothing yet to put there.
+  static std::filesystem::path ReplacedIn(const std::filesystem::path& folder);
   MapStore& store() { return *store_; }
   const MapStore& store() const { return *store_; }
   bool IsWritten() const { return lock_ >= 0; }
+
+  // Once what was mapped instead is written.
+  void DropReplaced();
 
   // Puts the store aside under another name in the folder, which it returns, and begins a new one.
   std::filesystem::path StartAnew();

@@ -18,10 +18,10 @@ struct RunToFinish {
   const MappingArguments* arguments = nullptr;
   OfflineMapper* mapper = nullptr;
   const StageTimes* times = nullptr;
-  const StoreFolder* store = nullptr;  // null: none
-  PictureSource pictures;              // for formats that hold them
-  int64_t start_ns = 0;                // of the steady clock
-  MapRun run;                          // what the mapper does not know
+  StoreFolder* store = nullptr;  // null: none
+  PictureSource pictures;        // for formats that hold them
+  int64_t start_ns = 0;          // of the steady clock
+  MapRun run;                    // what the mapper does not know
 };
 
 // Before the run, cheap now and vexing after an hour's work. Throws std::runtime_error that names
