@@ -2,8 +2,10 @@
 
 As a program it prints the table of docs/maps_kept.md: scripts/accept 3 --only maps_kept writes it."""
 
+import contextlib
 import pathlib
 import re
+import sqlite3
 import subprocess
 import tempfile
 
@@ -132,6 +134,32 @@ def overwrite(_quick):
     return holds, f"unasked {refused.returncode}; left by the older run: {left}; black {black.returncode}"
 
 
+def frames_of(store):
+    """Frames of a store that is whole; -1: it is not."""
+    checked = subprocess.run([str(PROGRAMS / "map_tool"), "check", str(store)], capture_output=True, check=False)
+    if checked.returncode != 0:
+        return -1
+    with contextlib.closing(sqlite3.connect(f"file:{store}?mode=ro", uri=True)) as rows:
+        return rows.execute("SELECT count(*) FROM frame").fetchone()[0]
+
+
+def replacing(_quick):
+    """--overwrite takes the older map away only when there is something in its place."""
+    out = fresh_folder("kept_replacing")
+    command = (cases() / "good7", "--out", out, "--mode", "every", "--places", "none")
+    run(PROGRAMS / "map_images", *command)
+    before, replaced = frames_of(out / "map.db"), out / "map.db.replaced"
+    with Running("map_images", *command, "--overwrite") as running:
+        began = running.wait_until(replaced.exists)
+        status, _ = end(running, "kill", out)
+    kept = frames_of(replaced) if replaced.exists() else frames_of(out / "map.db")
+    run(PROGRAMS / "map_images", *command, "--overwrite")
+    after = frames_of(out / "map.db")
+    holds = began and status == 137 and before == kept == after > 0 and not replaced.exists()
+    return holds, (f"{before} frames; {kept} after kill -9 of a run that replaces them; {after} after a whole one, "
+                   f"beside it {names_in(out)}")
+
+
 def defaults(_quick):
     """replay without --out writes below ROS_HOME and says where."""
     with tempfile.TemporaryDirectory() as home:
@@ -148,6 +176,7 @@ LINES = [
          "map_images, train_places, images_to_bag: what was reached is kept", table, False),
     Line("overwrite", "--overwrite leaves nothing of the older run; nothing registered is exit status 2",
          overwrite, True),
+    Line("replacing", "--overwrite, killed right after its start, leaves the older map", replacing, True),
     Line("default_folder", "replay without a folder writes below ROS_HOME and says where", defaults, True),
     Line("relative_folder", "mapping: ~ is expanded, a relative folder refused, export_map from six clients at "
          "once", live_mapping.folders, False),

@@ -4,7 +4,7 @@ import os
 import shutil
 import tempfile
 
-from acceptance.common import DEVEL, ROOT, THREADS, Line, fresh_folder
+from acceptance.common import DEVEL, PROGRAMS, ROOT, THREADS, Line, fresh_folder
 from acceptance.users import Master, case, ended, judge, program, says
 
 QUICK_MODEL = ("--words", "50", "--features", "200")
@@ -57,19 +57,26 @@ def folders(_quick):
     return judge(outcomes)
 
 
+# What root may not, either: read a file whose mode forbids it.
+AS_ANYBODY = ("setpriv", "--bounding-set", "-dac_override,-dac_read_search") if os.geteuid() == 0 else ()
+
+
 def unreadable(_quick):
-    """Root reads everything: then the picture is a folder's name that cannot be opened."""
-    folder = fresh_folder("shell/unreadable")
-    shutil.copytree(case("unreadable_image"), folder)
-    picture = folder / "images/000005.jpg"
-    picture.chmod(0)
-    if os.geteuid() == 0:
-        picture.unlink()
-        os.mkfifo(picture)
-    out = fresh_folder("shell/map")
-    result = program("map_images", folder, "--out", out, "--places", "none")
-    holds = "000005.jpg" in result.text and (result.status == 1 or poses_of(out) >= 6)
-    return holds, f"status {result.status}, {poses_of(out)} posed: {result.text.strip()[-120:]}"
+    """A picture that may not be read, and one that is no file."""
+    outcomes = []
+    for what, reason in (("no permission", "Permission denied"), ("a pipe", "no file")):
+        folder = fresh_folder("shell/unreadable")
+        shutil.copytree(case("unreadable_image"), folder)
+        picture = folder / "images/000005.jpg"
+        picture.chmod(0)
+        if what == "a pipe":
+            picture.unlink()
+            os.mkfifo(picture)
+        out = fresh_folder("shell/map")
+        result = ended(*AS_ANYBODY, PROGRAMS / "map_images", folder, "--out", out, "--places", "none")
+        what, holds, figure = says(what, result, {0, 1}, f"000005.jpg.*{reason}|{reason}.*000005.jpg")
+        outcomes.append((what, holds and (result.status == 1 or poses_of(out) >= 6), figure))
+    return judge(outcomes)
 
 
 def renamed_to_jpg(dataset):
@@ -81,11 +88,11 @@ def renamed_to_jpg(dataset):
     return folder
 
 
-def photos(_quick):
+def photos(quick):
     work = fresh_folder("shell/photos")
     work.mkdir(parents=True)
     outcomes = []
-    for number in range(6):  # a race: once is not enough
+    for number in range(1 if quick else 6):  # a race: once is not enough
         result = program("train_places", case("photos_one_broken"), "--out", work / f"{number}.places",
                          *QUICK_MODEL)
         outcomes.append(says(f"one broken photo, {number + 1}", result, {0}, "left out: .*000004.jpg",
@@ -98,7 +105,7 @@ def photos(_quick):
                          "000001.JPG: other size than the first"))
     broken = program("evaluate_places", "--query", case("good7_broken"), "--database",
                      case("good7_broken"), "--out", work / "evaluated")
-    outcomes.append(says("evaluate_places", broken, {1}, r"00000\d\.jpg"))
+    outcomes.append(says("evaluate_places", broken, {0}, r"left out: .*00000\d\.jpg"))
     for name in ("chessboard_JPG", "chessboard_mixed_case"):
         result = program("calibrate_camera", case(name), "--columns", 9, "--rows", 6, "--out",
                          work / f"{name}.yaml")
@@ -180,5 +187,5 @@ LINES = [
     Line("files_trajectory", "7. a trajectory as evo and numpy write it is read", trajectory, True),
     Line("shell_scripts", "7. scripts run with CDPATH, through symlinks, from anywhere, with --out=DIR",
          scripts_anywhere, True),
-    Line("shell_calibrations", "7. set_camera_info writes below $ROS_HOME, per robot", calibrations, True),
+    Line("shell_calibrations", "7. set_camera_info writes below $ROS_HOME, per robot", calibrations, False),
 ]
