@@ -3,8 +3,10 @@
 #include <rovio_sfm/FrameEventMsg.h>
 #include <rovio_sfm/PlaceMatchMsg.h>
 
-#include <vector>
+#include <algorithm>
+#include <memory>
 
+#include "fuzz/bounded_new.h"
 #include "fuzz/fuzz_input.h"
 #include "rovio_sfm/ros/frame_event_message.h"
 #include "rovio_sfm/ros/place_match_message.h"
@@ -13,10 +15,11 @@ namespace {
 
 template <typename Message>
 void Convert(std::string_view bytes) {
-  std::vector<uint8_t> copy(bytes.begin(), bytes.end());
+  const auto copy = std::make_unique<uint8_t[]>(bytes.size());  // somewhere even where it is empty
+  std::copy(bytes.begin(), bytes.end(), copy.get());
   Message message;
   try {
-    ros::serialization::IStream stream(copy.data(), static_cast<uint32_t>(copy.size()));
+    ros::serialization::IStream stream(copy.get(), static_cast<uint32_t>(bytes.size()));
     ros::serialization::deserialize(stream, message);
   } catch (const std::exception&) {  // roscpp drops the message
     return;
