@@ -113,6 +113,11 @@ std::optional<std::string> OptionalHeader(const httplib::Request& request, const
   return HeaderOf(request, name);
 }
 
+// Of a request that tells no length, httplib would wait for bytes until the client hangs up.
+bool HasBody(const httplib::Request& request) {
+  return request.has_header("Content-Length") || request.has_header("Transfer-Encoding");
+}
+
 WebRequest FromHttp(const httplib::Request& http) {
   WebRequest request;
   request.method = http.method;
@@ -186,7 +191,7 @@ class WebServer::Listener : private httplib::Server {
     };
     Post(".*", answer);  // the body is read before
     set_pre_routing_handler([answer](const httplib::Request& request, httplib::Response& response) {
-      if (request.method == "POST") return HandlerResponse::Unhandled;
+      if (request.method == "POST" && HasBody(request)) return HandlerResponse::Unhandled;
       answer(request, response);
       return HandlerResponse::Handled;
     });

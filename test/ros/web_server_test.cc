@@ -99,6 +99,13 @@ TEST(WebServer, HandsOnOtherMethods) {
   }
 }
 
+TEST(WebServer, APostWithoutABodyIsAnsweredAtOnce) {
+  WebServer server("127.0.0.1", 0, Echo);
+  RawClient client(server.port());
+  client.Send("POST /api/save_map HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  EXPECT_NE(client.Receive().find("POST /api/save_map"), std::string::npos);
+}
+
 TEST(WebServer, RefusesLargeBodies) {
   std::atomic<int> num_handled{0};
   WebServer server("127.0.0.1", 0, [&](const WebRequest& request) {
