@@ -20,6 +20,7 @@ if(CATKIN_ENABLE_TESTING)
   find_package(benchmark REQUIRED)
 endif()
 if(ROVIO_WITH_ROS)
+  pkg_check_modules(HTTPLIB REQUIRED IMPORTED_TARGET cpp-httplib)
   # catkin remembers, for node tests, the folders that exist now: that of our Python messages too.
   if(NOT CATKIN_DEVEL_PREFIX)
     set(CATKIN_DEVEL_PREFIX ${PROJECT_BINARY_DIR}/devel)

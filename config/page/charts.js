@@ -79,8 +79,8 @@ function showFigures(data) {
   }));
   fillTable(document.getElementById('figures'), [], Object.entries(figures).map(([name, value]) => [name, String(value)]));
   barChart(document.getElementById('tracks'), data.tracks, ['2 views', `${data.tracks.length + 1} and more`], 'points');
-  barChart(document.getElementById('errors'), data.errors, ['first', 'last'], 'px');
-  barChart(document.getElementById('views'), data.views, ['first', 'last'], 'projections');
+  hideUnless(data.errors.length, 'errors') && barChart(document.getElementById('errors'), data.errors, ['first', 'last'], 'px');
+  hideUnless(data.views.length, 'views') && barChart(document.getElementById('views'), data.views, ['first', 'last'], 'projections');
   hideUnless(data.stages.length, 'stages') && stageChart(document.getElementById('stages'), data.stages);
   if (!hideUnless(data.merges.length, 'merges')) return;
   fillTable(document.getElementById('merges'),

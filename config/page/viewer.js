@@ -101,15 +101,34 @@ class MapView {
     this.layers = {};
   }
 
-  // Replaces a layer; its switch stays as it was.
+  // Replaces a layer; its switch stays as it was. Returns what holds the objects.
   setLayer(name, objects, isShown, color) {
     const old = this.layers[name];
-    if (old) this.scene.remove(old.group);
+    if (old) this.forget(old.group);
     const group = new THREE.Group();
     objects.forEach(object => group.add(object));
     group.visible = old ? old.box.checked : isShown;
     this.scene.add(group);
     this.layers[name] = {group: group, box: old ? old.box : this.addSwitch(name, isShown, color)};
+    return group;
+  }
+
+  removeLayer(name) {
+    const old = this.layers[name];
+    if (!old) return;
+    this.forget(old.group);
+    old.box.parentElement.remove();
+    delete this.layers[name];
+  }
+
+  // Buffers of the graphics card are freed by hand.
+  forget(group) {
+    this.scene.remove(group);
+    group.traverse(object => {
+      if (object.geometry) object.geometry.dispose();
+      if (object.material && object.material.map) object.material.map.dispose();
+      if (object.material) object.material.dispose();
+    });
   }
 
   addSwitch(name, isShown, color) {
@@ -177,9 +196,8 @@ function tellError(error) {
 }
 
 (function main() {
-  const place = document.getElementById('data');
-  if (!place) return;  // the live page has its own
-  const data = JSON.parse(place.textContent);
+  const data = JSON.parse(document.getElementById('data').textContent);
+  if (data.live) return;  // live.js fetches its own
   showFigures(data);
   try {
     window.mapView = new MapView(document.getElementById('canvas'), document.getElementById('layers'));

@@ -17,14 +17,19 @@ def page(quick):
     return WORK / "page/rooms/report.html"
 
 
+def share_drawn(picture):
+    """Of a view's pixels, those that are not its ground."""
+    ground = numpy.bincount(picture.ravel()).argmax()
+    return (abs(picture - ground) > 8).mean()
+
+
 def report(quick):
     path = page(quick)
     with browser.browser() as driver:
         seconds = browser.open_page(driver, path.resolve().as_uri())
         canvas = driver.find_element("id", "canvas")
         before = browser.picture(canvas)
-        ground = numpy.bincount(before.ravel()).argmax()
-        drawn = (abs(before - ground) > 8).mean()
+        drawn = share_drawn(before)
         browser.drag(driver, canvas, 160, 40)
         turned = (abs(browser.picture(canvas) - before) > 8).mean()
         said = browser.console(driver)

@@ -3,6 +3,7 @@
 #include "rovio_sfm/app/drive_tour_options.h"
 #include "rovio_sfm/app/driver_options.h"
 #include "rovio_sfm/app/frontend_node_options.h"
+#include "rovio_sfm/app/map_web_options.h"
 #include "rovio_sfm/app/mapping_node_options.h"
 #include "rovio_sfm/app/option_pages.h"
 #include "rovio_sfm/app/place_recognition_node_options.h"
@@ -55,7 +56,8 @@ std::string OptionsPage() {
          PageText<FrontendNodeOptions>("Parameters of `frontend`", {"frontend"}) +
          PageText<MappingNodeOptions>("Parameters of `mapping`", {"mapper"}) +
          PageText<PlaceRecognitionNodeOptions>("Parameters of `place_recognition`",
-                                               {"places", "frontend"});
+                                               {"places", "frontend"}) +
+         PageText<MapWebOptions>("Parameters of `map_web`");
 }
 
 }  // namespace

@@ -40,13 +40,18 @@ void Fill(const std::string& mark, const std::string& text, std::string* page) {
   page->replace(at, mark.size(), text);
 }
 
-}  // namespace
+void Put(const std::string& mark, const std::string& text, std::string* page) {
+  Fill("<!-- " + mark + " -->\n", text, page);
+}
 
-std::string PageText(const std::string& data_json) {
+// is_live: with the parts of the page that map_web alone has.
+std::string FillPage(const std::string& data_json, bool is_live) {
   const std::string three = ReadText(std::string(kThree) + "three.min.js", "libjs-three");
   const std::string controls =
       ReadText(std::string(kThree) + "examples/js/controls/OrbitControls.js", "libjs-three");
   std::string page = OwnText("page.html");
+  Put("live.html", is_live ? OwnText("live.html") : "", &page);
+  Put("live.js", is_live ? "<script>\n" + OwnText("live.js") + "</script>\n" : "", &page);
   Fill("/* style.css */", OwnText("style.css"), &page);
   Fill("/* viewer.js */", OwnText("viewer.js"), &page);
   Fill("/* charts.js */", OwnText("charts.js"), &page);
@@ -55,5 +60,11 @@ std::string PageText(const std::string& data_json) {
   Fill("/* three */", InScript(three), &page);
   return page;
 }
+
+}  // namespace
+
+std::string PageText(const std::string& data_json) { return FillPage(data_json, false); }
+
+std::string LivePageText(const std::string& settings_json) { return FillPage(settings_json, true); }
 
 }  // namespace rovio_sfm

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "rovio_sfm/report/drive_names.h"
 #include "rovio_sfm/report/map_statistics.h"
+#include "rovio_sfm/util/base64.h"
 
 namespace rovio_sfm {
 namespace {
@@ -16,29 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr size_t kLongestTrack = 30;  // of the histogram; longer ones count there
-
-std::string Base64(const std::vector<uint8_t>& bytes) {
-  static constexpr char kDigits[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (size_t i = 0; i < bytes.size(); i += 3) {
-    const size_t left = std::min<size_t>(3, bytes.size() - i);
-    uint32_t three = 0;
-    for (size_t k = 0; k < 3; ++k) three = three << 8 | (k < left ? bytes[i + k] : 0u);
-    for (size_t k = 0; k < 4; ++k) {
-      text += k <= left ? kDigits[three >> (18 - 6 * k) & 63u] : '=';
-    }
-  }
-  return text;
-}
-
-template <typename Value>
-std::string Base64Of(const std::vector<Value>& values) {
-  std::vector<uint8_t> bytes(values.size() * sizeof(Value));
-  if (!bytes.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
-  return Base64(bytes);
-}
 
 // Positions and colours, as the page's buffers want them.
 struct PointArrays {

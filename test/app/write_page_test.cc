@@ -28,5 +28,16 @@ TEST(PageText, NothingInItsDataEndsTheScript) {
   EXPECT_EQ(count(with), count(without));
 }
 
+TEST(LivePageText, IsTheSamePageThatFetchesItsData) {
+  const std::string report = PageText("{}"), live = LivePageText(R"({"live": true})");
+  for (const char* part : {"class LivePage", "id=\"cameras\"", "data-service=\"save_map\""}) {
+    EXPECT_NE(live.find(part), std::string::npos) << part;
+    EXPECT_EQ(report.find(part), std::string::npos) << part;
+  }
+  EXPECT_NE(live.find("class MapView"), std::string::npos);
+  EXPECT_NE(live.find(R"({"live": true})"), std::string::npos);
+  for (const std::string& page : {report, live}) EXPECT_EQ(page.find("<!--"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace rovio_sfm

@@ -22,6 +22,7 @@ LONG_S = 120
 NODES = {
     "drive_tour": ([f"_tour:={NOWHERE}"], NOWHERE),
     "frontend": (["_image_latency_s:=now"], "image_latency_s"),
+    "map_web": (["_address:=192.0.2.1"], "cannot listen on 192.0.2.1:8090"),
     "mapping": (["_output_dir:=/proc/nowhere"], "/proc/nowhere"),
     "place_recognition": ([f"_vocabulary:={NOWHERE}"], NOWHERE),
     "rovio_driver": (["_host:=127.0.0.1", f"_credentials_file:={NOWHERE}"], NOWHERE),

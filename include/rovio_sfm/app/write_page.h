@@ -9,4 +9,7 @@ namespace rovio_sfm {
 // file that is missing, and the package that has it.
 std::string PageText(const std::string& data_json);
 
+// The same page as map_web serves it: it fetches its data by itself, and knows `settings_json`.
+std::string LivePageText(const std::string& settings_json);
+
 }  // namespace rovio_sfm
