@@ -91,8 +91,10 @@ def end(running, how, folder):
         time.sleep(BETWEEN_SIGNALS_S)
         if running.process.poll() is None:
             running.send(signal.SIGINT)
-    if how == "full":
+    if how == "full":  # before it can write on
+        running.send(signal.SIGSTOP)
         fill(folder)
+        running.send(signal.SIGCONT)
     return running.ended()
 
 
