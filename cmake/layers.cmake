@@ -43,7 +43,7 @@ rovio_library(app         LINKS rovio_frontend rovio_recognition rovio_merging r
 rovio_library(tools/trajectory LINKS rovio_app nlohmann_json::nlohmann_json TEST_LINKS rovio_synthetic)
 rovio_library(tools       LINKS rovio_tools_trajectory nlohmann_json::nlohmann_json TEST_LINKS rovio_synthetic)
 if(ROVIO_WITH_ROS)
-  rovio_library(ros       LINKS rovio_tools ${catkin_LIBRARIES} PkgConfig::HTTPLIB TEST_LINKS rovio_synthetic)
+  rovio_library(ros       LINKS rovio_app ${catkin_LIBRARIES} PkgConfig::HTTPLIB TEST_LINKS rovio_synthetic)
   add_dependencies(rovio_ros ${PROJECT_NAME}_generate_messages_cpp)  # no other language
 endif()
 

@@ -72,7 +72,9 @@ def is_right(program, how, status, seconds, said, files):
         stopped = (0, 130) if how == "twice" else (0,)
     else:
         stopped = (130,)
-    return status in stopped and seconds < ROSLAUNCH_S and any(re.search(KEPT[program], name) for name in files)
+    # A second signal may come before the map is written as files: then the store has it.
+    kept = KEPT[program] + (r"|map\.db$" if how == "twice" else "")
+    return status in stopped and seconds < ROSLAUNCH_S and any(re.search(kept, name) for name in files)
 
 
 KEPT = {"mapping": r"trajectory\.txt$", "replay": r"trajectory\.txt$", "map_images": r"trajectory\.txt$",

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "rovio_sfm/app/command_arguments.h"
+#include "rovio_sfm/app/finish_run.h"
 #include "rovio_sfm/app/load_options.h"
 #include "rovio_sfm/app/output_folder.h"
 #include "rovio_sfm/app/place_model_option.h"
@@ -20,7 +21,6 @@
 #include "rovio_sfm/io/calibration.h"
 #include "rovio_sfm/ros/bag_images.h"
 #include "rovio_sfm/ros/bag_pictures.h"
-#include "rovio_sfm/tools/finish_run.h"
 #include "rovio_sfm/util/steady_clock.h"
 #include "rovio_sfm/util/stop_signals.h"
 

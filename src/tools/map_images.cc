@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "rovio_sfm/app/command_arguments.h"
+#include "rovio_sfm/app/finish_run.h"
 #include "rovio_sfm/app/place_model_option.h"
 #include "rovio_sfm/io/dataset_folder.h"
 #include "rovio_sfm/io/text_file.h"
-#include "rovio_sfm/tools/finish_run.h"
 #include "rovio_sfm/util/steady_clock.h"
 #include "rovio_sfm/util/stop_signals.h"
 

@@ -9,7 +9,7 @@
 
 #include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/report/evaluation.h"
-#include "rovio_sfm/tools/trajectory/evaluation_json.h"
+#include "rovio_sfm/report/evaluation_json.h"
 
 namespace rovio_sfm {
 namespace {

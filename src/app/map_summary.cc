@@ -1,4 +1,4 @@
-#include "rovio_sfm/tools/map_summary.h"
+#include "rovio_sfm/app/map_summary.h"
 
 #include <sys/resource.h>
 
@@ -8,10 +8,10 @@
 #include <set>
 
 #include "rovio_sfm/report/evaluation.h"
+#include "rovio_sfm/report/evaluation_json.h"
 #include "rovio_sfm/report/level_map.h"
 #include "rovio_sfm/report/map_statistics.h"
-#include "rovio_sfm/tools/merges_json.h"
-#include "rovio_sfm/tools/trajectory/evaluation_json.h"
+#include "rovio_sfm/report/merges_json.h"
 
 namespace rovio_sfm {
 namespace {

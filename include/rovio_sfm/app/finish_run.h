@@ -5,8 +5,8 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "rovio_sfm/app/command_arguments.h"
+#include "rovio_sfm/app/map_summary.h"
 #include "rovio_sfm/app/write_map_files.h"
-#include "rovio_sfm/tools/map_summary.h"
 #include "rovio_sfm/util/stage_times.h"
 
 namespace rovio_sfm {

@@ -1,4 +1,4 @@
-#include "rovio_sfm/tools/trajectory/evaluation_json.h"
+#include "rovio_sfm/report/evaluation_json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "rovio_sfm/tools/map_summary.h"
+#include "rovio_sfm/app/map_summary.h"
 
 #include <gtest/gtest.h>
 

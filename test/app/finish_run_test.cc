@@ -1,4 +1,4 @@
-#include "rovio_sfm/tools/finish_run.h"
+#include "rovio_sfm/app/finish_run.h"
 
 #include <nlohmann/json.hpp>
 #include <sstream>
