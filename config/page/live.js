@@ -141,7 +141,7 @@ class LivePage {
     const all = new THREE.Box3(box.center.clone().sub(half), box.center.clone().add(half));
     for (const layer of this.shownSessions.values()) all.expandByObject(this.view.layers[layer].group);
     const size = all.getSize(new THREE.Vector3());
-    this.view.lookAt({center: all.getCenter(new THREE.Vector3()), size: Math.max(size.x, size.y, size.z)});
+    this.view.lookAt({center: all.getCenter(new THREE.Vector3()), size: 0.8 * Math.max(size.x, size.y, size.z)});
     this.view.draw();
   }
 
@@ -178,7 +178,7 @@ class LivePage {
   }
 
   robotNow(pose, color) {
-    const ball = new THREE.Mesh(new THREE.SphereGeometry(3 * this.size, 16, 12), new THREE.MeshBasicMaterial({color: color}));
+    const ball = new THREE.Mesh(new THREE.SphereGeometry(1.6 * this.size, 16, 12), new THREE.MeshBasicMaterial({color: color}));
     ball.position.set(pose[0], pose[1], pose[2]);
     return ball;
   }

@@ -78,7 +78,7 @@ def watch(driver, master, port, quick):
     said = press(driver, "finish_session")
     outcomes.append(("finish", "session" in said, said))
     said = browser.console(driver)
-    outcomes.append((f"{counts[0]} to {counts[-1]} landmarks, console empty", not said, said))
+    outcomes.append((f"{counts[0]} to {driver.execute_script(COUNT)} landmarks, console empty", not said, said))
     return outcomes
 
 
