@@ -65,7 +65,7 @@ class LivePage {
     this.status = {root: 0, unit: 'map units', figures: {}, warnings: [], sessions: [], merges: []};
     this.growth = [];
     this.size = 1 / 160;
-    this.shownSessions = new Map();  // the names of their layers
+    this.shownSessions = new Map();  // {layer, state} by number
     this.view = new MapView(document.getElementById('canvas'), document.getElementById('layers'));
     this.view.controls.addEventListener('start', () => { this.isTurned = true; });
     this.addFitButton();
@@ -139,7 +139,7 @@ class LivePage {
     if (this.isTurned || !this.cloud.count) return;
     const half = new THREE.Vector3().setScalar(box.size / 2);
     const all = new THREE.Box3(box.center.clone().sub(half), box.center.clone().add(half));
-    for (const layer of this.shownSessions.values()) all.expandByObject(this.view.layers[layer].group);
+    for (const {layer} of this.shownSessions.values()) all.expandByObject(this.view.layers[layer].group);
     const size = all.getSize(new THREE.Vector3());
     this.view.lookAt({center: all.getCenter(new THREE.Vector3()), size: 0.8 * Math.max(size.x, size.y, size.z)});
     this.view.draw();
@@ -149,14 +149,14 @@ class LivePage {
   showSessions(changed, hasStatus) {
     const here = this.status.sessions.filter(session => session.map === this.status.root);
     const ids = new Set(here.map(session => session.session));
-    for (const [id, layer] of this.shownSessions) {
+    for (const [id, {layer}] of this.shownSessions) {
       if (ids.has(id)) continue;
       this.view.removeLayer(layer);
       this.shownSessions.delete(id);
     }
-    const touched = id => [`cameras/session_${id}`, `paths/path_${id}`, `place/${id}`, `pose/${id}`].some(name => changed.has(name));
-    here.filter(session => touched(session.session) || !this.shownSessions.has(session.session))
-      .forEach(session => this.showSession(session));
+    const isStale = ({session: id, state}) => (this.shownSessions.get(id) || {}).state !== state ||
+      [`cameras/session_${id}`, `paths/path_${id}`, `place/${id}`, `pose/${id}`].some(name => changed.has(name));
+    here.filter(isStale).forEach(session => this.showSession(session));
     if (hasStatus || [...changed].some(name => name.includes('overlaps') || name.startsWith('place/'))) this.showOverlaps(ids);
     if (changed.has('apart')) this.showApart();
   }
@@ -171,10 +171,11 @@ class LivePage {
       if (object) object.material.color = color;
       if (object) objects.push(object);
     }
-    if (this.scene[`pose/${id}`] && session.state === 'maps') objects.push(this.robotNow(this.scene[`pose/${id}`], color));
+    const isDriven = session.state === 'maps' || 'images localized' in this.status.figures;
+    if (isDriven && this.scene[`pose/${id}`]) objects.push(this.robotNow(this.scene[`pose/${id}`], color));
     const layer = `${session.robot}, session ${id}`;
     place(this.view.setLayer(layer, objects, true, SESSION_COLORS[(id - 1) % SESSION_COLORS.length]), placeInMap);
-    this.shownSessions.set(id, layer);
+    this.shownSessions.set(id, {layer: layer, state: session.state});
   }
 
   robotNow(pose, color) {
