@@ -98,7 +98,8 @@ class Densifier {
   bool MatchAll() {
     const auto pairs = ChoosePairs(model_, options_.pairs);
     const auto none = [](size_t) { return 0; };
-    const auto match = [&](size_t i, int) { return MatchImage(i, pairs[i]); };
+    const SoundDepths sound(model_, model_.points.size(), options_.depth);
+    const auto match = [&](size_t i, int) { return MatchImage(i, pairs[i], sound); };
     auto matched = ForAllImages<std::vector<PairMatches>>(model_.images.size(), none, match,
                                                           executor_, [this] { return GoesOn(); });
     if (!matched) return false;
@@ -116,6 +117,7 @@ class Densifier {
     counts_.num_refused_f1 = joined.num_refused_f1;
     counts_.num_barren_tracks = AddPoints(joined.tracks, options_.grow, &model_);
     counts_.num_removed_points = AdjustPoints(num_before, options_.grow, &model_);
+    counts_.num_inconsistent_depths = RemoveInconsistentDepths(num_before, options_.depth, &model_);
     counts_.after = MeasurePoints(model_);
     return {CloudOf(num_before), counts_};
   }
@@ -123,12 +125,17 @@ class Densifier {
  private:
   bool GoesOn() { return !progress_ || progress_(++num_done_, 2 * model_.images.size()); }
 
-  std::vector<PairMatches> MatchImage(size_t b, const std::vector<uint32_t>& earlier) const {
+  std::vector<PairMatches> MatchImage(size_t b, const std::vector<uint32_t>& earlier,
+                                      const SoundDepths& sound) const {
     std::vector<PairMatches> matches;
     const ModelImage& image = model_.images[b];
+    std::vector<DepthRange> ranges;
+    for (const Keypoint& keypoint : image.keypoints) {
+      ranges.push_back(sound.Around(static_cast<uint32_t>(b), keypoint.x_normalized));
+    }
     for (const uint32_t a : earlier) {
       const Rigid3 b_from_a = image.cam_from_map * Inverse(model_.images[a].cam_from_map);
-      matches.push_back(MatchPosed(a, features_[a], features_[b], b_from_a,
+      matches.push_back(MatchPosed(a, features_[a], features_[b], b_from_a, ranges,
                                    model_.cameras[image.camera].MeanFocal(), options_.match));
     }
     return matches;

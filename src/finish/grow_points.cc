@@ -139,16 +139,13 @@ double Parallax(const MapModel& model, const ModelPoint& point) {
   return widest;
 }
 
-// Without its bad views; nothing where too little is left.
-std::optional<ModelPoint> Filtered(const MapModel& model, ModelPoint point, size_t min_views,
-                                   const GrowOptions& options) {
+// Without its bad views.
+ModelPoint WithoutBadViews(const MapModel& model, ModelPoint point, const GrowOptions& options) {
   const auto is_bad = [&](const ModelView& view) {
     return !(ErrorSigmas(model, view, point.x_in_map, options.noise) <= options.max_error_sigmas);
   };
   point.views.erase(std::remove_if(point.views.begin(), point.views.end(), is_bad),
                     point.views.end());
-  if (point.views.size() < min_views) return std::nullopt;
-  if (Parallax(model, point) < options.triangulate.min_parallax_rad) return std::nullopt;
   return point;
 }
 
@@ -192,12 +189,12 @@ size_t AdjustPoints(size_t num_kept, const GrowOptions& options, MapModel* model
   }
   std::vector<ModelPoint> kept;
   for (size_t i = 0; i < model->points.size(); ++i) {
-    const size_t min_views = i < num_kept ? 2 : options.min_views;
-    const auto point = Filtered(*model, model->points[i], min_views, options);
-    if (point) {
-      kept.push_back(*point);
-    } else if (i < num_kept) {
-      kept.push_back(before[i]);
+    const ModelPoint point = WithoutBadViews(*model, model->points[i], options);
+    if (i < num_kept) {
+      kept.push_back(point.views.size() < 2 ? before[i] : point);
+    } else if (point.views.size() >= options.min_views &&
+               Parallax(*model, point) >= options.triangulate.min_parallax_rad) {
+      kept.push_back(point);
     }
   }
   const size_t num_removed = model->points.size() - kept.size();

@@ -39,7 +39,8 @@ std::vector<FeatureMatch> FilterByPose(const FrameFeatures& a, const FrameFeatur
 }  // namespace
 
 PairMatches MatchPosed(uint32_t other_index, const FrameFeatures& a, const FrameFeatures& b,
-                       const Rigid3& b_from_a, double focal_px, const PosedMatchOptions& options) {
+                       const Rigid3& b_from_a, const std::vector<DepthRange>& ranges_in_b,
+                       double focal_px, const PosedMatchOptions& options) {
   PairMatches pair;
   pair.other_index = other_index;
   pair.cam_from_other = b_from_a;
@@ -52,8 +53,9 @@ PairMatches MatchPosed(uint32_t other_index, const FrameFeatures& a, const Frame
   pair.counts.one_to_one = Count(matches);
   pair.inliers = FilterByPose(a, b, b_from_a, matches, options.band_px / focal_px);
   pair.counts.ransac = Count(pair.inliers);
-  const auto guided = MatchGuided(a, b, b_from_a, pair.inliers, focal_px, options.guided);
-  pair.inliers.insert(pair.inliers.end(), guided.begin(), guided.end());
+  const auto found =
+      MatchInRange(a, b, b_from_a, ranges_in_b, pair.inliers, focal_px, options.range);
+  pair.inliers.insert(pair.inliers.end(), found.begin(), found.end());
   pair.counts.guided = Count(pair.inliers);
   pair.verdict = PairVerdict::kGeneral;
   return pair;

@@ -41,9 +41,14 @@ Pair MakePair(size_t count) {
   return pair;
 }
 
+std::vector<DepthRange> NoRanges(const Pair& pair) {
+  return std::vector<DepthRange>(pair.b.keypoints.size());
+}
+
 TEST(MatchPosed, FindsWhatLooksAlikeInTheBand) {
   const Pair pair = MakePair(50);
-  const PairMatches found = MatchPosed(7, pair.a, pair.b, pair.b_from_a, kFocalPx, {});
+  const PairMatches found =
+      MatchPosed(7, pair.a, pair.b, pair.b_from_a, NoRanges(pair), kFocalPx, {});
   EXPECT_EQ(found.other_index, 7u);
   EXPECT_EQ(found.verdict, PairVerdict::kGeneral);
   ASSERT_EQ(found.inliers.size(), 50u);
@@ -54,7 +59,8 @@ TEST(MatchPosed, DropsWhatThePosesForbid) {
   Pair pair = MakePair(50);
   pair.b.keypoints[4].x_normalized.y() += 3.0 * 2.0 / kFocalPx;  // off its line
   pair.b.keypoints[9].x_normalized.x() += 3.0;                   // behind the cameras
-  const PairMatches found = MatchPosed(0, pair.a, pair.b, pair.b_from_a, kFocalPx, {});
+  const PairMatches found =
+      MatchPosed(0, pair.a, pair.b, pair.b_from_a, NoRanges(pair), kFocalPx, {});
   EXPECT_EQ(found.counts.one_to_one, 50u);
   EXPECT_EQ(found.inliers.size(), 48u);
   for (const FeatureMatch& match : found.inliers) EXPECT_TRUE(match.b != 4 && match.b != 9);
@@ -62,9 +68,10 @@ TEST(MatchPosed, DropsWhatThePosesForbid) {
 
 TEST(MatchPosed, FindsNothingFromOnePlaceOrWithoutDescriptors) {
   Pair pair = MakePair(10);
-  EXPECT_TRUE(MatchPosed(0, pair.a, pair.b, {}, kFocalPx, {}).inliers.empty());
+  EXPECT_TRUE(MatchPosed(0, pair.a, pair.b, {}, NoRanges(pair), kFocalPx, {}).inliers.empty());
   pair.a.descriptors = {};
-  EXPECT_TRUE(MatchPosed(0, pair.a, pair.b, pair.b_from_a, kFocalPx, {}).inliers.empty());
+  EXPECT_TRUE(
+      MatchPosed(0, pair.a, pair.b, pair.b_from_a, NoRanges(pair), kFocalPx, {}).inliers.empty());
 }
 
 }  // namespace

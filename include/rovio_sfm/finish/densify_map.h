@@ -11,6 +11,7 @@
 #include "rovio_sfm/finish/grow_points.h"
 #include "rovio_sfm/finish/make_dense_cloud.h"
 #include "rovio_sfm/finish/measure_points.h"
+#include "rovio_sfm/finish/sound_depths.h"
 #include "rovio_sfm/matching/match_posed.h"
 #include "rovio_sfm/scene/map_model.h"
 #include "rovio_sfm/scene/point_cloud.h"
@@ -24,6 +25,7 @@ struct DensifyOptions {
   PosedMatchOptions match;
   double same_feature_px = 1.5;  // filter f1
   GrowOptions grow;
+  SoundDepthOptions depth;
 };
 
 // The features of an image with their descriptors, as its map's store keeps them, in the order of
@@ -32,11 +34,12 @@ using ReadFeatures = std::function<std::shared_ptr<const FrameFeatures>(const Mo
 
 struct DensifyCounts {
   PointFigures before, after;
-  size_t num_features = 0;        // of all images
-  size_t num_matches = 0;         // within the epipolar bands
-  size_t num_refused_f1 = 0;      // of them, by filter f1
-  size_t num_barren_tracks = 0;   // whose views agree on no point
-  size_t num_removed_points = 0;  // by the reprojection filter after the adjustment
+  size_t num_features = 0;             // of all images
+  size_t num_matches = 0;              // within the epipolar bands
+  size_t num_refused_f1 = 0;           // of them, by filter f1
+  size_t num_barren_tracks = 0;        // whose views agree on no point
+  size_t num_removed_points = 0;       // by the reprojection filter after the adjustment
+  size_t num_inconsistent_depths = 0;  // added points removed for the depths round them
 };
 
 // The points that a model had, in their order, then the added ones.

@@ -11,11 +11,11 @@
 
 namespace rovio_sfm {
 
-// As strict as mapping is (config/mapping.yaml): noise, triangulate and prune.
+// As strict as mapping is (config/mapping.yaml: noise, triangulate, prune), in parallax stricter.
 struct GrowOptions {
   FeatureNoise noise;
-  TriangulateTracksOptions triangulate = {0.026, 4.0};
-  size_t min_views = 2;  // of an added point
+  TriangulateTracksOptions triangulate = {0.044, 4.0};  // 2.5 deg, 4 sigma
+  size_t min_views = 2;                                 // of an added point
   BundleOptions adjust;
   double max_error_sigmas = 4.0;  // tau_r: a worse view goes after the adjustment
 };
@@ -28,8 +28,8 @@ size_t AddPoints(const std::vector<std::vector<ModelView>>& tracks, const GrowOp
 
 // Adjusts the points alone, the poses fixed, those that a drive saw first at a time (§4.4). Then
 // removes views with a large reprojection error, and of the points from num_kept on those left with
-// too few views or too little parallax; a point before them that would go stays as it was. Returns
-// how many points were removed.
+// too few views or too little parallax; one before them that is left with fewer than two stays as
+// it was. Returns how many points were removed.
 size_t AdjustPoints(size_t num_kept, const GrowOptions& options, MapModel* model);
 
 }  // namespace rovio_sfm
