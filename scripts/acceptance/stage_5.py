@@ -1,5 +1,5 @@
 """The map that one can look at and drive by (issue 11)."""
 
-from acceptance import dense, grid, page
+from acceptance import dense, densify, grid, page
 
-LINES = [*page.LINES, *grid.LINES, *dense.LINES]
+LINES = [*page.LINES, *grid.LINES, *densify.LINES, *dense.LINES]
