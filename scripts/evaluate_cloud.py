@@ -1,18 +1,23 @@
 #!/usr/bin/python3
 """Compares a dense cloud or a mesh of a rendered tour with the true surface, after one similarity of
 the trajectories:
-  evaluate_cloud.py CLOUD.ply TRAJECTORY.txt GROUNDTRUTH.txt SURFACE.ply [--json]
+  evaluate_cloud.py CLOUD.ply TRAJECTORY.txt GROUNDTRUTH.txt SURFACE.ply [--added-from N] [--json]
 CLOUD: dense.ply, densified.ply or mesh.ply (its corners and points even over its triangles);
-SURFACE: of rovio_sim --surface. Prints shares within 5 cm and medians in metres."""
+SURFACE: of rovio_sim --surface. Prints shares within 5 cm and medians in metres; with N, of the
+points from the N-th on also how many lie within 3 % of their range: the distance to the nearest
+camera that has them in its picture (calibration.txt beside GROUNDTRUTH)."""
 
 import argparse
 import json
+import pathlib
 
 import numpy
 import open3d
 from scipy.spatial import cKDTree
+from scipy.spatial.transform import Rotation
 
 NEAR_M = 0.05
+NEAR_SHARE = 0.03  # of the range
 MIN_CONTRAST = 8.0  # grey levels
 MIN_VIEWS = 3
 SURFACE = numpy.dtype([("x", "<f4", 3), ("color", "u1", 3), ("contrast", "<f4"), ("views", "<u4")])
@@ -27,6 +32,7 @@ def read_surface(path):
 
 def read_points(path):
     """Of a cloud; of a mesh, points even over it."""
+    open3d.utility.set_verbosity_level(open3d.utility.VerbosityLevel.Error)  # it warns on the standard output
     mesh = open3d.io.read_triangle_mesh(str(path))
     if len(mesh.triangles) == 0:
         return numpy.asarray(open3d.io.read_point_cloud(str(path)).points)
@@ -48,7 +54,27 @@ def fit_similarity(estimate, truth):
     return scale, rotation, truth.mean(0) - scale * rotation @ estimate.mean(0)
 
 
-def measure(cloud, trajectory, ground_truth, surface):
+def ranges_of(points, ground_truth, stamps):
+    """The distance to the nearest camera that has a point in its picture; to the nearest where none has."""
+    values = numpy.loadtxt(pathlib.Path(ground_truth).parent / "calibration.txt")
+    focal, centre, size = values[0:2], values[2:4], values[9:11]
+    poses = [row for row in numpy.loadtxt(ground_truth, ndmin=2) if f"{row[0]:.6f}" in stamps]
+    ranges = numpy.full(len(points), numpy.inf)
+    for row in poses:
+        seen = (points - row[1:4]) @ Rotation.from_quat(row[4:8]).as_matrix()
+        with numpy.errstate(divide="ignore", invalid="ignore"):
+            pixels = focal * seen[:, :2] / seen[:, 2:] + centre
+        inside = (seen[:, 2] > 0) & (pixels >= 0).all(1) & (pixels < size).all(1)
+        ranges[inside] = numpy.minimum(ranges[inside], numpy.linalg.norm(seen[inside], axis=1))
+    to_any = cKDTree(numpy.array([row[1:4] for row in poses])).query(points)[0]
+    return numpy.where(numpy.isfinite(ranges), ranges, to_any)
+
+
+def measure_added(points, to_surface, ranges):
+    return {"added": len(points), "added_3_percent": float((to_surface < NEAR_SHARE * ranges).mean())}
+
+
+def measure(cloud, trajectory, ground_truth, surface, added_from=None):
     estimate, truth = read_centres(trajectory), read_centres(ground_truth)
     stamps = sorted(set(estimate) & set(truth), key=float)
     scale, rotation, shift = fit_similarity(numpy.array([estimate[s] for s in stamps]),
@@ -58,7 +84,7 @@ def measure(cloud, trajectory, ground_truth, surface):
     to_surface = cKDTree(samples["x"]).query(points)[0]
     to_cloud = cKDTree(points).query(samples["x"])[0]
     wanted = (samples["contrast"] >= MIN_CONTRAST) & (samples["views"] >= MIN_VIEWS)
-    return {
+    figures = {
         "points": len(points),
         "accuracy_5cm": float((to_surface < NEAR_M).mean()),
         "accuracy_median_m": float(numpy.median(to_surface)),
@@ -66,15 +92,21 @@ def measure(cloud, trajectory, ground_truth, surface):
         "completeness_5cm_whole": float((to_cloud < NEAR_M).mean()),
         "share_with_contrast": float(wanted.mean()),
     }
+    if added_from is not None:
+        ranges = ranges_of(points[added_from:], ground_truth, set(stamps))
+        figures.update(measure_added(points[added_from:], to_surface[added_from:], ranges))
+    return figures
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     for name in ("cloud", "trajectory", "ground_truth", "surface"):
         parser.add_argument(name)
+    parser.add_argument("--added-from", type=int, metavar="N")
     parser.add_argument("--json", action="store_true")
     arguments = parser.parse_args()
-    figures = measure(arguments.cloud, arguments.trajectory, arguments.ground_truth, arguments.surface)
+    figures = measure(arguments.cloud, arguments.trajectory, arguments.ground_truth, arguments.surface,
+                      arguments.added_from)
     if arguments.json:
         print(json.dumps(figures))
         return

@@ -25,6 +25,7 @@ def dense_files(tour):
 
 def true_surface(tour):
     path = WORK / f"dense/{tour}_surface.ply"
+    path.parent.mkdir(parents=True, exist_ok=True)
     run(PROGRAMS / "rovio_sim", "--surface", tour, "--camera", "plain", "--seed", 1, "--out", path, "--overwrite")
     return path
 

@@ -43,6 +43,8 @@ void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
   app->add_option("--format", arguments->format,
                   "what maps are written as: some of " + FormatNames() +
                       " with commas between them; tum,ply where not given");
+  app->add_flag("--densify", arguments->densify,
+                "also densified.ply: matched again with the poses fixed");
   CLI::Option* const overwrite =
       app->add_flag("--overwrite", arguments->overwrite, "replace the results of an earlier run");
   CLI::Option* const resume = app->add_flag(
@@ -67,6 +69,7 @@ void CompleteMappingArguments(MappingArguments* arguments) {
   if (arguments->features) frontend.extract.max_features = *arguments->features;
   arguments->mapper.mapper.seed = arguments->mapper.seed;
   arguments->formats = ReadFormats(arguments->format);
+  if (arguments->densify) arguments->formats.insert(MapFormat::kDensified);
   std::string error;
   if (!IsValid(arguments->mapper, &error)) throw std::runtime_error(error);
 }

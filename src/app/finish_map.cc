@@ -6,9 +6,23 @@
 
 namespace rovio_sfm {
 
+namespace {
+
+int NumCores() { return static_cast<int>(std::thread::hardware_concurrency()); }
+
+}  // namespace
+
+const DensifiedMap& FinishedMap::Densified() {
+  if (!densified_) {
+    Executor executor(NumCores());
+    densified_ = DensifyMap(model_, features_, pictures_, {}, &executor);
+  }
+  return *densified_;
+}
+
 const PointCloud& FinishedMap::DenseCloud() {
   if (!cloud_) {
-    Executor executor(static_cast<int>(std::thread::hardware_concurrency()));
+    Executor executor(NumCores());
     cloud_ = MakeDenseCloud(model_, pictures_, {}, &executor);
   }
   return *cloud_;

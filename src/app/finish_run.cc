@@ -54,16 +54,27 @@ PageNotes NotesOf(const MapRun& run) {
 }
 
 std::vector<WrittenMap> WriteResults(const RunToFinish& finish, const MapRun& run, Json summary,
-                                     Overwrite overwrite) {
+                                     const MapFormats& formats, Overwrite overwrite) {
   if (run.stopped && FindMapsBySize(*run.snapshot).empty()) return {};
   const HoldSecondStop hold;
-  const MapSource source{[&](const LevelMap& map) { return finish.mapper->ModelOf(map); },
-                         finish.pictures, NotesOf(run)};
-  std::vector<WrittenMap> maps = WriteAllMaps(*run.snapshot, source, finish.arguments->formats,
-                                              finish.arguments->out, overwrite);
+  const MapSource source{
+      [&](const LevelMap& map) { return finish.mapper->ModelOf(map); }, finish.pictures,
+      NotesOf(run), [&](const ModelImage& image) { return finish.mapper->frames().Get(image.id); }};
+  std::vector<WrittenMap> maps =
+      WriteAllMaps(*run.snapshot, source, formats, finish.arguments->out, overwrite);
   summary.update(MapSummaryJson(run));
+  if (!maps.empty() && maps[0].densified) summary["densified"] = DensifyJson(*maps[0].densified);
   WriteFile(SummaryPath(*finish.arguments), summary.dump(2) + "\n", overwrite);
   return maps;
+}
+
+// What is written as soon as there is a map; what takes long waits for the final one.
+MapFormats QuickOnes(const MapFormats& formats) {
+  MapFormats quick;
+  for (const MapFormat format : formats) {
+    if (!TakesLong(format)) quick.insert(format);
+  }
+  return quick;
 }
 
 [[noreturn]] void EndUnadjusted(const std::vector<WrittenMap>& maps, std::ostream& out) {
@@ -84,6 +95,7 @@ void Tell(const RunToFinish& finish, const MapRun& run, const std::vector<Writte
   if (!maps.empty() && !why.empty()) out << "not metric: " << why << "\n";
   for (const WrittenMap& map : maps) {
     out << Describe(map) << "\n";
+    if (map.densified) out << Describe(*map.densified) << "\n";
     for (const Path& file : map.files) out << "wrote " << file.string() << "\n";
   }
   if (!run.stopped || !maps.empty()) {
@@ -137,13 +149,14 @@ int FinishRun(RunToFinish finish, const Json& header, std::ostream& out) {
   }
   MapRun first = finish.run;
   Complete(finish, &first);
+  const MapFormats& formats = finish.arguments->formats;
   std::vector<WrittenMap> maps =
-      WriteResults(finish, first, header, MayReplaceResults(*finish.arguments));
+      WriteResults(finish, first, header, QuickOnes(formats), MayReplaceResults(*finish.arguments));
   if (finish.store != nullptr && !maps.empty()) finish.store->DropReplaced();
   finish.run.snapshot =
       EndInTime([&] { return finish.mapper->Finish(); }, [&] { EndUnadjusted(maps, out); });
   Complete(finish, &finish.run);
-  maps = WriteResults(finish, finish.run, header, Overwrite::kAllow);
+  maps = WriteResults(finish, finish.run, header, formats, Overwrite::kAllow);
   Tell(finish, finish.run, maps, out);
   return StatusOf(finish.run, maps, out);
 }

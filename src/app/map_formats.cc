@@ -15,7 +15,7 @@ struct FormatRow {
   bool needs_model;
 };
 
-constexpr std::array<FormatRow, 12> kFormats = {{
+constexpr std::array<FormatRow, 13> kFormats = {{
     {MapFormat::kTum, "tum", "trajectory.txt", false},
     {MapFormat::kPly, "ply", "cloud.ply", false},
     {MapFormat::kPlyAscii, "ply_ascii", "cloud_ascii.ply", false},
@@ -24,6 +24,7 @@ constexpr std::array<FormatRow, 12> kFormats = {{
     {MapFormat::kColmapText, "colmap_text", "colmap_text", true},
     {MapFormat::kBundler, "bundler", "bundler", true},
     {MapFormat::kNvm, "nvm", "nvm", true},
+    {MapFormat::kDensified, "densified", "densified.ply", true},
     {MapFormat::kDense, "dense", "dense.ply", true},
     {MapFormat::kMesh, "mesh", "mesh.ply", true},
     {MapFormat::kReport, "report", "report.html", true},
@@ -61,6 +62,11 @@ MapFormats ReadFormats(const std::string& names) {
 }
 
 bool NeedsModel(MapFormat format) { return RowOf(format).needs_model; }
+
+bool TakesLong(MapFormat format) {
+  return format == MapFormat::kDensified || format == MapFormat::kDense ||
+         format == MapFormat::kMesh;
+}
 
 std::string MainPathOf(MapFormat format) { return RowOf(format).main_path; }
 

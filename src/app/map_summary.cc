@@ -220,6 +220,22 @@ Json MapSummaryJson(const MapRun& run) {
   return json;
 }
 
+Json DensifyJson(const DensifyCounts& counts) {
+  return {{"landmarks_before", counts.before.num_points},
+          {"landmarks", counts.after.num_points},
+          {"projections_before", counts.before.num_projections},
+          {"projections", counts.after.num_projections},
+          {"rms_n_before", counts.before.rms_n},
+          {"rms_n", counts.after.rms_n},
+          {"rms_px", counts.after.rms_px},
+          {"features", counts.num_features},
+          {"matches", counts.num_matches},
+          {"refused_f1", counts.num_refused_f1},
+          {"barren_tracks", counts.num_barren_tracks},
+          {"removed_by_reprojection", counts.num_removed_points},
+          {"removed_by_depth", counts.num_inconsistent_depths}};
+}
+
 double PeakRssMb() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

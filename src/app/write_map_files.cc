@@ -75,8 +75,7 @@ std::vector<NamedFile> FilesOf(const LevelMap& map, MapFormat format) {
 constexpr char kGridPicture[] = "map.pgm";
 
 bool IsFinished(MapFormat format) {
-  return format == MapFormat::kDense || format == MapFormat::kMesh ||
-         format == MapFormat::kReport || format == MapFormat::kGrid;
+  return TakesLong(format) || format == MapFormat::kReport || format == MapFormat::kGrid;
 }
 
 // One map on its way into files; what is made of it is made once. Borrows all that it is given.
@@ -87,11 +86,16 @@ class MapInWork {
         source_(source),
         formats_(formats),
         model_(source.model_of(map)),
-        finished_(model_, source.pictures) {}
+        finished_(model_, source.pictures, source.features) {}
   MapInWork(const MapInWork&) = delete;
   MapInWork& operator=(const MapInWork&) = delete;
 
   const MapModel& model() const { return model_; }
+
+  std::optional<DensifyCounts> densified() {
+    if (formats_.count(MapFormat::kDensified) == 0) return std::nullopt;
+    return finished_.Densified().counts;
+  }
 
   std::vector<NamedFile> FilesOf(MapFormat format) {
     if (format == MapFormat::kGrid) return GridFiles();
@@ -101,6 +105,9 @@ class MapInWork {
  private:
   std::string BytesOf(MapFormat format) {
     if (format == MapFormat::kDense) return DensePlyBytes(finished_.DenseCloud(), UnitOf(map_));
+    if (format == MapFormat::kDensified) {
+      return DensePlyBytes(finished_.Densified().cloud, UnitOf(map_));
+    }
     if (format == MapFormat::kMesh) return MeshPlyBytes(finished_.Surface(), UnitOf(map_));
     return PageText(Page());
   }
@@ -182,11 +189,13 @@ WrittenFiles WriteMapFiles(const LevelMap& map, const MapSource& source, const M
     all.paths.insert(all.paths.end(), written.paths.begin(), written.paths.end());
     all.num_missing_pictures += written.num_missing_pictures;
   }
+  if (work) all.densified = work->densified();
   return all;
 }
 
 void PrintWritten(const WrittenFiles& written, std::ostream& out) {
   for (const std::string& sentence : written.left_out) out << sentence << "\n";
+  if (written.densified) out << Describe(*written.densified) << "\n";
   for (const fs::path& path : written.paths) out << "wrote " << path.string() << "\n";
   if (written.num_missing_pictures > 0) {
     out << written.num_missing_pictures << " pictures were not at hand and are not among them\n";

@@ -43,8 +43,9 @@ std::vector<WrittenMap> WriteAllMaps(const MapSnapshot& snapshot, const MapSourc
   for (const LevelMap& map : FindMapsBySize(snapshot)) {
     const Path place = FolderOf(folder, written.size());
     std::filesystem::create_directories(place);
-    written.push_back({map.id, PosedImages(map).size(), map.scale.has_value(),
-                       WriteMapFiles(map, source, formats, place, overwrite).paths});
+    const WrittenFiles files = WriteMapFiles(map, source, formats, place, overwrite);
+    written.push_back(
+        {map.id, PosedImages(map).size(), map.scale.has_value(), files.paths, files.densified});
   }
   if (overwrite == Overwrite::kAllow) RemoveOlder(folder, written);
   return written;

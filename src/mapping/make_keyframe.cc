@@ -1,14 +1,12 @@
 #include "rovio_sfm/mapping/make_keyframe.h"
 
-#include <algorithm>
-#include <cmath>
+#include "rovio_sfm/sfm/feature_noise.h"
 
 namespace rovio_sfm {
 
 double FeatureSigma(const Keypoint& keypoint, const Camera& camera, const MapperOptions& options) {
-  const double relative_size = std::max(1.0, keypoint.size_px / options.sigma_size_px);
-  return options.pixel_sigma_px * std::pow(relative_size, options.sigma_exponent) /
-         camera.MeanFocal();
+  return SigmaOf(keypoint, camera.MeanFocal(),
+                 {options.pixel_sigma_px, options.sigma_size_px, options.sigma_exponent});
 }
 
 Keyframe MakeKeyframe(const FrameEvent& event, const Rigid3& cam_from_session,

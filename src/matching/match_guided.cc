@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <opencv2/core/hal/hal.hpp>
 
+#include "rovio_sfm/matching/descriptor_distance.h"
 #include "rovio_sfm/matching/filter_matches.h"
 
 namespace rovio_sfm {
@@ -18,19 +18,6 @@ struct Ray {
   Eigen::Vector3d line_in_b;
   Eigen::Vector3d direction_in_b;
 };
-
-float Distance(const Descriptors& a, size_t index_a, const Descriptors& b, size_t index_b) {
-  const uint8_t *row_a = a.Row(index_a), *row_b = b.Row(index_b);
-  if (a.metric == DescriptorMetric::kHamming) {
-    return static_cast<float>(cv::hal::normHamming(row_a, row_b, static_cast<int>(a.length)));
-  }
-  int sum = 0;
-  for (uint32_t i = 0; i < a.length; ++i) {
-    const int difference = int{row_a[i]} - int{row_b[i]};
-    sum += difference * difference;
-  }
-  return std::sqrt(static_cast<float>(sum));
-}
 
 std::vector<bool> UsedFeatures(size_t count, const std::vector<FeatureMatch>& known,
                                uint32_t FeatureMatch::*side) {
@@ -85,7 +72,8 @@ std::optional<FeatureMatch> FindInBand(const Search& search, uint32_t index_b) {
                          search.options.min_depth_baselines)) {
       continue;
     }
-    const float distance = Distance(search.a.descriptors, ray.index, search.b.descriptors, index_b);
+    const float distance =
+        DescriptorDistance(search.a.descriptors, ray.index, search.b.descriptors, index_b);
     second = std::min(second, std::max(distance, best.distance));
     if (distance < best.distance) {
       best.a = ray.index;

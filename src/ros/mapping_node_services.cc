@@ -123,18 +123,23 @@ bool MappingNode::ExportMap(ExportMapRequest& request, ExportMapResponse& respon
     return true;
   }
   const auto events = history_.EventsWithImages();
-  std::optional<std::unique_ptr<MapStore>> kept;  // opened for the first picture of it
-  const MapSource source{[&](const LevelMap&) {
-                           if (!parts.model) throw std::runtime_error(parts.error);
-                           return std::move(*parts.model);
-                         },
-                         [&](const ModelImage& image) {
-                           const auto recent = ImageOf(image.id, events);
-                           if (recent) return recent;
-                           if (!kept) kept = KeptImages(options_.output_dir);
-                           return *kept ? (*kept)->frames().ReadImage(image.id) : recent;
-                         },
-                         PageNotes{*engine_.Picture().merges}};
+  std::optional<std::unique_ptr<MapStore>> kept;  // opened for what is first read of it
+  const auto store = [&] {
+    if (!kept) kept = KeptImages(options_.output_dir);
+    return kept->get();
+  };
+  const MapSource source{
+      [&](const LevelMap&) {
+        if (!parts.model) throw std::runtime_error(parts.error);
+        return std::move(*parts.model);
+      },
+      [&](const ModelImage& image) {
+        const auto recent = ImageOf(image.id, events);
+        if (recent) return recent;
+        return store() ? store()->frames().ReadImage(image.id) : recent;
+      },
+      PageNotes{*engine_.Picture().merges},
+      [&](const ModelImage& image) { return store() ? store()->Get(image.id) : nullptr; }};
   response = ExportMapFiles(*parts.snapshot, source, options_.output_dir, request);
   return true;
 }

@@ -65,7 +65,8 @@ int Export(const Arguments& arguments, std::ostream& out) {
   const MapSource source{
       [&](const LevelMap& level_map) { return mapper.ModelOf(level_map); },
       [&](const ModelImage& image) { return store.frames().ReadImage(image.id); },
-      PageNotes{mapper.MergeReports()}};
+      PageNotes{mapper.MergeReports()},
+      [&](const ModelImage& image) { return store.Get(image.id); }};
   const MapFormats formats = ReadFormats(arguments.formats);
   PrintWritten(WriteMapFiles(*map, source, formats, arguments.out, overwrite), out);
   return 0;

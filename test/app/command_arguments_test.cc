@@ -52,6 +52,14 @@ TEST(CompleteMappingArguments, RefusesWhatIsOutOfRange) {
   EXPECT_THROW(CompleteMappingArguments(&arguments), std::runtime_error);
 }
 
+TEST(CompleteMappingArguments, DensifiesBesideTheFormats) {
+  MappingArguments arguments;
+  arguments.densify = true;
+  CompleteMappingArguments(&arguments);
+  EXPECT_EQ(arguments.formats,
+            MapFormats({MapFormat::kTum, MapFormat::kPly, MapFormat::kDensified}));
+}
+
 TEST(CompleteMappingArguments, ReadsTheFormats) {
   MappingArguments arguments;
   ASSERT_FALSE(Parse({"--out", "x", "--format", "colmap,ply"}, &arguments));

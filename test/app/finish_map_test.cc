@@ -20,7 +20,8 @@ TEST(FinishedMap, ReadsEachPictureOnce) {
     cv::imencode(".png", SeeWall(0.0, 0.0, 2.0), png);
     return std::make_shared<const std::vector<uint8_t>>(std::move(png));
   };
-  FinishedMap map(model, pictures);
+  const ReadFeatures features;
+  FinishedMap map(model, pictures, features);
   EXPECT_TRUE(map.DenseCloud().empty());  // no image sees enough points
   EXPECT_TRUE(map.Surface().triangles.empty());
   EXPECT_TRUE(map.DenseCloud().empty());
@@ -31,7 +32,8 @@ TEST(FinishedMap, SaysThatPicturesAreMissing) {
   MapModel model;
   model.images.resize(1);
   const PictureSource none;
-  FinishedMap map(model, none);
+  const ReadFeatures features;
+  FinishedMap map(model, none, features);
   EXPECT_THROW(map.Surface(), std::runtime_error);
 }
 

@@ -27,11 +27,18 @@ TEST(ReadFormats, RefusesUnknownOnesByName) {
   }
 }
 
+TEST(TakesLong, TellsWhatWaitsForTheFinalMap) {
+  EXPECT_TRUE(TakesLong(MapFormat::kDensified));
+  EXPECT_TRUE(TakesLong(MapFormat::kMesh));
+  EXPECT_FALSE(TakesLong(MapFormat::kPly));
+  EXPECT_FALSE(TakesLong(MapFormat::kColmap));
+}
+
 TEST(ReadFormats, ReadsEveryName) {
   std::string names = FormatNames();
   names.erase(std::remove(names.begin(), names.end(), ' '), names.end());
   const MapFormats all = ReadFormats(names);
-  EXPECT_EQ(all.size(), 12u);
+  EXPECT_EQ(all.size(), 13u);
   for (const MapFormat format : all) EXPECT_FALSE(MainPathOf(format).empty());
 }
 

@@ -83,6 +83,17 @@ TEST(MapSummaryJson, SurvivesARunWithoutAnyMap) {
   EXPECT_TRUE(json["matching"].is_null());
 }
 
+TEST(DensifyJson, TellsBeforeAndAfter) {
+  DensifyCounts counts;
+  counts.before = {10, 30, 0.5, 0.2};
+  counts.after = {25, 90, 0.75, 0.3};
+  const auto json = DensifyJson(counts);
+  EXPECT_EQ(json["landmarks_before"], 10);
+  EXPECT_EQ(json["landmarks"], 25);
+  EXPECT_EQ(json["projections"], 90);
+  EXPECT_EQ(json["rms_n"], 0.75);
+}
+
 TEST(PeakRssMb, IsSomething) { EXPECT_GT(PeakRssMb(), 1.0); }
 
 }  // namespace

@@ -104,6 +104,29 @@ TEST(PrintWritten, SaysWhatIsMissing) {
   EXPECT_EQ(out.str(), "wrote /a/b\n3 pictures were not at hand and are not among them\n");
 }
 
+TEST(PrintWritten, SaysWhatDensifyingBrought) {
+  WrittenFiles written;
+  written.densified.emplace().after.num_points = 7;
+  std::ostringstream out;
+  PrintWritten(written, out);
+  EXPECT_NE(out.str().find("densified: 0 -> 7 points"), std::string::npos) << out.str();
+}
+
+TEST(WriteMapFiles, CountsWhatIsDensified) {
+  const TemporaryFolder folder;
+  MapSource source;
+  source.model_of = [](const LevelMap&) { return MapModel(); };
+  const auto write = [&](const std::string& formats) {
+    return WriteMapFiles(SmallMap(1), source, ReadFormats(formats), folder.Path(),
+                         Overwrite::kAllow);
+  };
+  const WrittenFiles written = write("densified");
+  EXPECT_TRUE(written.densified);
+  ASSERT_EQ(written.paths.size(), 1u);
+  EXPECT_EQ(written.paths[0].filename(), "densified.ply");
+  EXPECT_FALSE(write("colmap").densified);
+}
+
 TEST(MapCloudBytes, SaysItsUnit) {
   LevelMap map = SmallMap(1);
   EXPECT_NE(MapCloudBytes(map).find("map units"), std::string::npos);

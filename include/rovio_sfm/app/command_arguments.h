@@ -29,6 +29,7 @@ struct MappingArguments {
   std::string places;                    // place model; none: no merging; empty: the shipped one
   std::string format;                    // names of ReadFormats
   MapFormats formats = kDefaultFormats;  // of that
+  bool densify = false;                  // format densified too
   bool overwrite = false;
   bool resume = false;
   bool store = true;

@@ -3,18 +3,23 @@
 #include <optional>
 
 #include "rovio_sfm/app/write_model_files.h"
+#include "rovio_sfm/finish/densify_map.h"
 #include "rovio_sfm/finish/make_dense_cloud.h"
 #include "rovio_sfm/scene/point_cloud.h"
 
 namespace rovio_sfm {
 
-// What takes the pictures of a map to make: its dense cloud and the surface through it. Each is
-// made once, when it is first asked for, on as many threads as the machine has cores.
+// What is made of a map after the drive: its densified cloud, its dense cloud and the surface
+// through that. Each is made once, when it is first asked for, on as many threads as the machine
+// has cores.
 class FinishedMap {
  public:
-  // Both are borrowed.
-  FinishedMap(const MapModel& model, const PictureSource& pictures)
-      : model_(model), pictures_(pictures) {}
+  // All are borrowed.
+  FinishedMap(const MapModel& model, const PictureSource& pictures, const ReadFeatures& features)
+      : model_(model), pictures_(pictures), features_(features) {}
+
+  // Throws as DensifyMap does.
+  const DensifiedMap& Densified();
 
   // Throws as MakeDenseCloud does.
   const PointCloud& DenseCloud();
@@ -23,6 +28,8 @@ class FinishedMap {
  private:
   const MapModel& model_;
   const PictureSource& pictures_;
+  const ReadFeatures& features_;
+  std::optional<DensifiedMap> densified_;
   std::optional<PointCloud> cloud_;
   std::optional<TriangleMesh> surface_;
 };

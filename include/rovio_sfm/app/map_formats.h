@@ -15,6 +15,7 @@ enum class MapFormat {
   kColmapText,
   kBundler,
   kNvm,
+  kDensified,
   kDense,
   kMesh,
   kReport,
@@ -33,6 +34,8 @@ MapFormats ReadFormats(const std::string& names);
 
 // True where the format needs cameras, features and points (MapModel), not just poses or points.
 bool NeedsModel(MapFormat format);
+// True where making it takes long: it waits for the final map.
+bool TakesLong(MapFormat format);
 // The file or folder that is always there once a map was written so.
 std::string MainPathOf(MapFormat format);
 

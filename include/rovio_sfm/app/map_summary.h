@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rovio_sfm/app/offline_mapper.h"
+#include "rovio_sfm/finish/densify_map.h"
 #include "rovio_sfm/frontend/frontend.h"
 #include "rovio_sfm/io/trajectory_file.h"
 #include "rovio_sfm/mapping/mapper_report.h"
@@ -48,6 +49,9 @@ std::string WhyInMapUnits(const MapRun& run);
 // The figures of summary.json by the definitions of docs/benchmarks.md, units in the names; null
 // for what is not known.
 nlohmann::ordered_json MapSummaryJson(const MapRun& run);
+
+// Of the largest map, the object "densified".
+nlohmann::ordered_json DensifyJson(const DensifyCounts& counts);
 
 // The greatest memory of this process so far, MB.
 double PeakRssMb();

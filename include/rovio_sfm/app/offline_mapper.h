@@ -72,6 +72,9 @@ class OfflineMapper {
   // A map of that snapshot, as exporters want it; see Mapper.
   MapModel ModelOf(const LevelMap& map) const { return mapper_.ModelOf(map); }
 
+  // The features of its keyframes.
+  const FrameStore& frames() const { return *store_; }
+
   // What became of the images of all drives so far; call after Drain or Finish.
   const FrontendCounters& frontend_counters() const { return frontend_counters_; }
   const MatchingFunnel& matching_funnel() const { return funnel_; }

@@ -25,7 +25,8 @@ std::string MapCloudBytes(const LevelMap& map);
 struct MapSource {
   std::function<MapModel(const LevelMap&)> model_of;
   PictureSource pictures;
-  PageNotes notes;  // of the report
+  PageNotes notes;             // of the report
+  ReadFeatures features = {};  // with descriptors, to densify
 };
 
 // Throws std::runtime_error naming the first file or folder of these formats that is there already.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "rovio_sfm/app/write_map_files.h"
@@ -16,6 +17,7 @@ struct WrittenMap {
   size_t num_images = 0;  // registered
   bool is_metric = false;
   std::vector<std::filesystem::path> files;  // absolute
+  std::optional<DensifyCounts> densified = {};
 };
 
 // Writes every map with a registered image: the largest into the folder itself, the others by size

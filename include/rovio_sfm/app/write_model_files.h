@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "rovio_sfm/app/map_formats.h"
+#include "rovio_sfm/finish/densify_map.h"
 #include "rovio_sfm/io/write_file.h"
 #include "rovio_sfm/scene/map_model.h"
 
@@ -21,6 +23,7 @@ struct WrittenFiles {
   std::vector<std::filesystem::path> paths;  // absolute; of a folder of pictures the folder
   size_t num_missing_pictures = 0;           // of those that a format wants, all formats together
   std::vector<std::string> left_out;         // sentences: formats that the map cannot be written in
+  std::optional<DensifyCounts> densified = {};  // where that was asked for
 };
 
 // Writes a model below a folder in one of the formats that need one: colmap/ and colmap_text/ are

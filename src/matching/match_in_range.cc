@@ -1,0 +1,120 @@
+#include "rovio_sfm/matching/match_in_range.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "rovio_sfm/matching/descriptor_distance.h"
+#include "rovio_sfm/matching/filter_matches.h"
+
+namespace rovio_sfm {
+namespace {
+
+struct Candidate {
+  uint32_t index = 0;
+  Eigen::Vector2d x_normalized;
+};
+
+// Where a feature of b may lie in a.
+struct Stretch {
+  Eigen::Vector2d begin, direction;  // direction of length 1, or 0
+  double length = 0.0;
+
+  double DistanceTo(const Eigen::Vector2d& x) const {
+    const Eigen::Vector2d offset = x - begin;
+    return (offset - std::clamp(offset.dot(direction), 0.0, length) * direction).norm();
+  }
+};
+
+std::optional<Stretch> StretchOf(const Eigen::Vector2d& x_in_b, const DepthRange& range,
+                                 const Rigid3& a_from_b) {
+  if (!(range.far > 0.0)) return std::nullopt;
+  const Eigen::Vector3d ray = x_in_b.homogeneous();
+  const Eigen::Vector3d near = a_from_b * (range.near * ray), far = a_from_b * (range.far * ray);
+  if (!(near.z() > 0.0) || !(far.z() > 0.0)) return std::nullopt;
+  Stretch stretch{near.hnormalized(), far.hnormalized() - near.hnormalized(), 0.0};
+  stretch.length = stretch.direction.norm();
+  stretch.direction = stretch.length > 0.0 ? Eigen::Vector2d(stretch.direction / stretch.length)
+                                           : Eigen::Vector2d::Zero();
+  return stretch;
+}
+
+std::vector<bool> UsedFeatures(size_t count, const std::vector<FeatureMatch>& known,
+                               uint32_t FeatureMatch::*side) {
+  std::vector<bool> used(count, false);
+  for (const FeatureMatch& match : known) used[match.*side] = true;
+  return used;
+}
+
+std::vector<Candidate> FreeFeatures(const FrameFeatures& a,
+                                    const std::vector<FeatureMatch>& known) {
+  const std::vector<bool> used = UsedFeatures(a.keypoints.size(), known, &FeatureMatch::a);
+  std::vector<Candidate> free;
+  for (uint32_t i = 0; i < a.keypoints.size(); ++i) {
+    if (!used[i]) free.push_back({i, a.keypoints[i].x_normalized});
+  }
+  return free;
+}
+
+float MeanDistance(const std::vector<FeatureMatch>& matches) {
+  double sum = 0.0;
+  for (const FeatureMatch& match : matches) sum += double{match.distance};
+  return static_cast<float>(sum / static_cast<double>(matches.size()));
+}
+
+struct Search {
+  const Descriptors& a;
+  const Descriptors& b;
+  const std::vector<Candidate>& free;
+  double band = 0.0;  // on the plane z = 1
+  float max_distance = 0.0f;
+  float max_ratio = 1.0f;
+};
+
+std::optional<FeatureMatch> FindInStretch(const Search& search, const Stretch& stretch,
+                                          uint32_t index_b) {
+  FeatureMatch best{0, index_b, std::numeric_limits<float>::infinity(), 1.0f};
+  float second = std::numeric_limits<float>::infinity();
+  for (const Candidate& candidate : search.free) {
+    if (stretch.DistanceTo(candidate.x_normalized) > search.band) continue;
+    const float distance = DescriptorDistance(search.a, candidate.index, search.b, index_b);
+    second = std::min(second, std::max(distance, best.distance));
+    if (distance < best.distance) best.a = candidate.index, best.distance = distance;
+  }
+  if (!(best.distance <= search.max_distance)) return std::nullopt;
+  if (best.distance > search.max_ratio * second) return std::nullopt;
+  best.ratio = best.distance / second;  // 0 where it is alone
+  return best;
+}
+
+}  // namespace
+
+std::vector<FeatureMatch> MatchInRange(const FrameFeatures& a, const FrameFeatures& b,
+                                       const Rigid3& b_from_a,
+                                       const std::vector<DepthRange>& ranges_in_b,
+                                       const std::vector<FeatureMatch>& known, double focal_px,
+                                       const RangeMatchOptions& options) {
+  if (known.empty() || a.descriptors.type != b.descriptors.type ||
+      a.descriptors.length != b.descriptors.length) {
+    return {};
+  }
+  const std::vector<Candidate> free = FreeFeatures(a, known);
+  const Search search{a.descriptors,
+                      b.descriptors,
+                      free,
+                      options.band_px / focal_px,
+                      options.max_factor * MeanDistance(known),
+                      options.max_ratio};
+  const Rigid3 a_from_b = Inverse(b_from_a);
+  const std::vector<bool> used_b = UsedFeatures(b.keypoints.size(), known, &FeatureMatch::b);
+  std::vector<FeatureMatch> found;
+  for (uint32_t i = 0; i < b.keypoints.size(); ++i) {
+    if (used_b[i]) continue;
+    const auto stretch = StretchOf(b.keypoints[i].x_normalized, ranges_in_b[i], a_from_b);
+    if (!stretch) continue;
+    if (const auto match = FindInStretch(search, *stretch, i)) found.push_back(*match);
+  }
+  return FilterOneToOne(found);
+}
+
+}  // namespace rovio_sfm

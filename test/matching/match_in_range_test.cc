@@ -1,0 +1,64 @@
+#include "rovio_sfm/matching/match_in_range.h"
+
+#include <gtest/gtest.h>
+
+namespace rovio_sfm {
+namespace {
+
+constexpr double kFocalPx = 500.0;
+const std::vector<FeatureMatch> kKnown = {{0, 0, 8.0f, 0.5f}};
+
+void AddFeature(const Eigen::Vector3d& x_in_cam, uint8_t value, FrameFeatures* features) {
+  Keypoint keypoint;
+  keypoint.x_normalized = x_in_cam.hnormalized();
+  features->keypoints.push_back(keypoint);
+  features->descriptors.data.insert(features->descriptors.data.end(), 64, value);
+}
+
+// Two cameras side by side see a known point and one at 5 units; in a another feature that looks
+// more like it lies on the same epipolar line, where a point at 2 units would.
+class MatchInRangeTest : public testing::Test {
+ protected:
+  MatchInRangeTest() {
+    a_.descriptors.type = b_.descriptors.type = DescriptorType::kSurf;
+    a_.descriptors.length = b_.descriptors.length = 64;
+    b_from_a_.translation = {-1.0, 0.0, 0.0};
+    const Eigen::Vector3d known(1.0, 1.0, 4.0), far(0.0, 0.0, 5.0);
+    AddFeature(known, 0, &a_);
+    AddFeature(far, 101, &a_);
+    AddFeature(Inverse(b_from_a_) * Eigen::Vector3d(0.4 * (b_from_a_ * far)), 100, &a_);
+    AddFeature(b_from_a_ * known, 0, &b_);
+    AddFeature(b_from_a_ * far, 100, &b_);
+  }
+
+  std::vector<FeatureMatch> Match(const DepthRange& range) const {
+    return MatchInRange(a_, b_, b_from_a_, {{}, range}, kKnown, kFocalPx, {});
+  }
+
+  FrameFeatures a_, b_;
+  Rigid3 b_from_a_;
+};
+
+TEST_F(MatchInRangeTest, FindsWhatLiesInTheRange) {
+  const auto far = Match({4.5, 5.5}), near = Match({1.8, 2.2});
+  ASSERT_EQ(far.size(), 1u);
+  EXPECT_EQ(far[0].a, 1u);
+  EXPECT_EQ(far[0].b, 1u);
+  ASSERT_EQ(near.size(), 1u);
+  EXPECT_EQ(near[0].a, 2u);
+}
+
+TEST_F(MatchInRangeTest, FindsNothingElsewhere) {
+  EXPECT_TRUE(Match({2.5, 4.0}).empty());
+  EXPECT_TRUE(Match({}).empty());
+  b_from_a_.translation.y() = 0.1;  // the line lies elsewhere
+  EXPECT_TRUE(Match({4.5, 5.5}).empty());
+}
+
+TEST_F(MatchInRangeTest, RefusesWhatLooksOtherThanTheKnownOnes) {
+  for (size_t i = 64; i < 128; ++i) a_.descriptors.data[i] = 120;
+  EXPECT_TRUE(Match({4.5, 5.5}).empty());
+}
+
+}  // namespace
+}  // namespace rovio_sfm

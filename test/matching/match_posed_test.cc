@@ -1,0 +1,78 @@
+#include "rovio_sfm/matching/match_posed.h"
+
+#include <gtest/gtest.h>
+
+#include "rovio_sfm/util/rng.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr double kFocalPx = 500.0;
+
+struct Pair {
+  FrameFeatures a, b;
+  Rigid3 b_from_a;
+};
+
+void AddFeature(const Eigen::Vector3d& x_in_cam, const std::vector<uint8_t>& descriptor,
+                FrameFeatures* features) {
+  Keypoint keypoint;
+  keypoint.x_normalized = x_in_cam.hnormalized();
+  features->keypoints.push_back(keypoint);
+  features->descriptors.data.insert(features->descriptors.data.end(), descriptor.begin(),
+                                    descriptor.end());
+}
+
+// Points before two cameras side by side; feature i of a and of b show one point and have one
+// descriptor.
+Pair MakePair(size_t count) {
+  Pair pair;
+  pair.a.descriptors.type = pair.b.descriptors.type = DescriptorType::kSurf;
+  pair.a.descriptors.length = pair.b.descriptors.length = 64;
+  pair.b_from_a.translation = {-1.0, 0.0, 0.0};
+  Rng rng(3);
+  for (size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d x(rng.Uniform(-2, 2), rng.Uniform(-2, 2), rng.Uniform(4, 9));
+    std::vector<uint8_t> descriptor(64);
+    for (uint8_t& byte : descriptor) byte = static_cast<uint8_t>(rng.Uniform(0, 255));
+    AddFeature(x, descriptor, &pair.a);
+    AddFeature(pair.b_from_a * x, descriptor, &pair.b);
+  }
+  return pair;
+}
+
+std::vector<DepthRange> NoRanges(const Pair& pair) {
+  return std::vector<DepthRange>(pair.b.keypoints.size());
+}
+
+TEST(MatchPosed, FindsWhatLooksAlikeInTheBand) {
+  const Pair pair = MakePair(50);
+  const PairMatches found =
+      MatchPosed(7, pair.a, pair.b, pair.b_from_a, NoRanges(pair), kFocalPx, {});
+  EXPECT_EQ(found.other_index, 7u);
+  EXPECT_EQ(found.verdict, PairVerdict::kGeneral);
+  ASSERT_EQ(found.inliers.size(), 50u);
+  for (const FeatureMatch& match : found.inliers) EXPECT_EQ(match.a, match.b);
+}
+
+TEST(MatchPosed, DropsWhatThePosesForbid) {
+  Pair pair = MakePair(50);
+  pair.b.keypoints[4].x_normalized.y() += 3.0 * 2.0 / kFocalPx;  // off its line
+  pair.b.keypoints[9].x_normalized.x() += 3.0;                   // behind the cameras
+  const PairMatches found =
+      MatchPosed(0, pair.a, pair.b, pair.b_from_a, NoRanges(pair), kFocalPx, {});
+  EXPECT_EQ(found.counts.one_to_one, 50u);
+  EXPECT_EQ(found.inliers.size(), 48u);
+  for (const FeatureMatch& match : found.inliers) EXPECT_TRUE(match.b != 4 && match.b != 9);
+}
+
+TEST(MatchPosed, FindsNothingFromOnePlaceOrWithoutDescriptors) {
+  Pair pair = MakePair(10);
+  EXPECT_TRUE(MatchPosed(0, pair.a, pair.b, {}, NoRanges(pair), kFocalPx, {}).inliers.empty());
+  pair.a.descriptors = {};
+  EXPECT_TRUE(
+      MatchPosed(0, pair.a, pair.b, pair.b_from_a, NoRanges(pair), kFocalPx, {}).inliers.empty());
+}
+
+}  // namespace
+}  // namespace rovio_sfm
