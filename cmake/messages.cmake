@@ -1,14 +1,19 @@
-# Messages and services; must come before any target that uses them.
+# Messages, services and actions; must come before any target that uses them.
 file(GLOB MSG_FILES RELATIVE ${PROJECT_SOURCE_DIR}/msg ${PROJECT_SOURCE_DIR}/msg/*.msg)
 file(GLOB SRV_FILES RELATIVE ${PROJECT_SOURCE_DIR}/srv ${PROJECT_SOURCE_DIR}/srv/*.srv)
+file(GLOB ACTION_FILES RELATIVE ${PROJECT_SOURCE_DIR}/action ${PROJECT_SOURCE_DIR}/action/*.action)
 if(MSG_FILES)
   add_message_files(DIRECTORY msg FILES ${MSG_FILES})
 endif()
 if(SRV_FILES)
   add_service_files(DIRECTORY srv FILES ${SRV_FILES})
 endif()
-if(MSG_FILES OR SRV_FILES)
-  generate_messages(DEPENDENCIES geometry_msgs nav_msgs sensor_msgs std_msgs)
+if(ACTION_FILES)
+  add_action_files(DIRECTORY action FILES ${ACTION_FILES})
 endif()
-catkin_package(CATKIN_DEPENDS geometry_msgs message_runtime nav_msgs sensor_msgs std_msgs)
+if(MSG_FILES OR SRV_FILES OR ACTION_FILES)
+  generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs nav_msgs sensor_msgs std_msgs)
+endif()
+catkin_package(CATKIN_DEPENDS actionlib_msgs geometry_msgs message_runtime nav_msgs sensor_msgs
+                              std_msgs)
 include_directories(SYSTEM ${catkin_INCLUDE_DIRS} ${CATKIN_DEVEL_PREFIX}/include)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rovio_sfm/finish/join_tracks.h"
+#include "rovio_sfm/finish/landmark_cloud.h"
 
 namespace rovio_sfm {
 namespace {
@@ -148,8 +149,8 @@ class Densifier {
       const ModelView& first = point.views.front();
       const Rgb color =
           i < num_before ? point.color : features_[first.image].colors[first.keypoint];
-      cloud.push_back({point.x_in_map.cast<float>(), Eigen::Vector3f::Zero(), color,
-                       static_cast<uint32_t>(point.views.size())});
+      cloud.push_back({point.x_in_map.cast<float>(), TowardsCameras(point, model_).cast<float>(),
+                       color, static_cast<uint32_t>(point.views.size())});
     }
     return cloud;
   }

@@ -36,13 +36,13 @@ void EventHistory::Clear() {
   num_bytes_ = 0;
 }
 
-std::map<FrameId, FrameEventMsg::ConstPtr> EventHistory::EventsWithImages() const {
+std::map<FrameId, FrameEventMsg::ConstPtr> EventHistory::Events() const {
   std::map<FrameId, FrameEventMsg::ConstPtr> found;
   MutexLock lock(mutex_);
   for (const FrameEventMsg::ConstPtr& event : events_) {
     std::string error;
     const auto id = FromMessage(event->id, &error);
-    if (id && !event->jpeg.empty()) found[*id] = event;
+    if (id) found[*id] = event;
   }
   return found;
 }

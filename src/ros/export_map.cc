@@ -3,18 +3,11 @@
 #include <exception>
 
 #include "rovio_sfm/app/write_map_files.h"
-#include "rovio_sfm/ros/plain_name.h"
+#include "rovio_sfm/ros/export_folder.h"
 #include "rovio_sfm/ros/status.h"
 
 namespace rovio_sfm {
 namespace {
-
-// Where links in the folder lead elsewhere, nothing is written.
-bool StaysInside(const std::filesystem::path& folder, const std::filesystem::path& output_dir) {
-  const std::filesystem::path inside = std::filesystem::weakly_canonical(folder).lexically_relative(
-      std::filesystem::weakly_canonical(output_dir));
-  return !inside.empty() && *inside.begin() != "..";
-}
 
 // False, and the status says which file stands there.
 bool MayWrite(const std::filesystem::path& folder, const MapFormats& formats, bool overwrite,
@@ -42,24 +35,14 @@ void Write(const LevelMap& map, const MapSource& source, const MapFormats& forma
   response->status = Ok(message);
 }
 
-bool ReadRequest(const std::string& output_dir, const ExportMapRequest& request,
-                 MapFormats* formats, Status* status) {
-  if (output_dir.empty()) {
-    *status = FailedPrecondition("the parameter ~output_dir is not set");
-    return false;
-  }
-  if (!request.name.empty() && !IsPlainName(request.name)) {
-    *status =
-        InvalidArgument("name: expected at most 64 of A-Z a-z 0-9 _ - ., not beginning with .");
-    return false;
-  }
+bool ReadFormatNames(const std::string& names, MapFormats* formats, Status* status) {
   try {
-    *formats = ReadFormats(request.formats);
+    *formats = ReadFormats(names);
+    return true;
   } catch (const std::exception& error) {
     *status = InvalidArgument(error.what());
     return false;
   }
-  return true;
 }
 
 }  // namespace
@@ -73,22 +56,17 @@ ExportMapResponse ExportMapFiles(const MapSnapshot& snapshot, const MapSource& s
                                  const std::string& output_dir, const ExportMapRequest& request) {
   ExportMapResponse response;
   MapFormats formats;
-  if (!ReadRequest(output_dir, request, &formats, &response.status)) return response;
+  const auto folder = FindExportFolder(output_dir, request.name, &response.status);
+  if (!folder || !ReadFormatNames(request.formats, &formats, &response.status)) return response;
   const auto map = FindRequestedMap(snapshot, request);
   if (!map) {
     response.status = NotFound("map: there is no such map with a posed frame");
     return response;
   }
-  const auto folder = std::filesystem::path(output_dir) / request.name;
-  if (!StaysInside(folder, output_dir)) {
-    response.status =
-        InvalidArgument("name: " + folder.string() + " is a link that leads out of " + output_dir);
-    return response;
-  }
-  if (!MayWrite(folder, formats, request.overwrite, &response.status)) return response;
+  if (!MayWrite(*folder, formats, request.overwrite, &response.status)) return response;
   try {
     const Overwrite overwrite = request.overwrite ? Overwrite::kAllow : Overwrite::kRefuse;
-    Write(*map, source, formats, folder, overwrite, &response);
+    Write(*map, source, formats, *folder, overwrite, &response);
   } catch (const std::exception& error) {  // a full disk, a read-only folder
     response.status = Internal(error.what());
   }

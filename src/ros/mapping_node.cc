@@ -47,6 +47,11 @@ size_t SizeOf(const PlaceMatch& match) {
   return num_bytes;
 }
 
+ros::NodeHandle WithQueue(ros::NodeHandle node, ros::CallbackQueue* queue) {
+  node.setCallbackQueue(queue);
+  return node;
+}
+
 std::unique_ptr<StoreFolder> OpenStore(const MappingNodeOptions& options) {
   if (options.localize) {
     return std::make_unique<StoreFolder>(options.output_dir, ExistingStore::kRead);
@@ -85,7 +90,8 @@ MappingNode::MappingNode(const MappingNodeOptions& options, ros::NodeHandle node
                           OnFrame(message, std::move(event));
                         }),
       match_subscriber_(node_.subscribe(topics::kPlaceMatches, topics::kPlaceMatchesQueue,
-                                        &MappingNode::OnPlaceMatch, this)) {
+                                        &MappingNode::OnPlaceMatch, this)),
+      finish_(WithQueue(node_, &service_queue_), SourcesOfActions()) {
   diagnostics_.setHardwareID("none");
   diagnostics_.add("frames to maps", this, &MappingNode::Diagnose);
   AdvertiseServices();
@@ -101,6 +107,7 @@ void MappingNode::StartTimers() {
   map_timer_ =
       node_.createWallTimer(ros::WallDuration(kMapPeriodS), [this](const ros::WallTimerEvent&) {
         publisher_.PublishMap(engine_.Picture(), Counters(), false);
+        finish_.Publish(engine_.Picture());
         // The time of now: answers that are queued already are taken before it is looked at.
         worker_.Push(kClockLane, [this, now_s = SteadySeconds()] {
           gap_filler_.CheckTime(now_s);
@@ -122,6 +129,7 @@ MappingNode::~MappingNode() { End(); }
 bool MappingNode::End() {
   if (has_ended_) return options_.localize || maps_.IsWritten();
   has_ended_ = true;
+  finish_.Stop();
   frame_subscriber_.Stop();
   match_subscriber_.shutdown();
   ROS_INFO_STREAM("ending: " << worker_.NumQueued(kFrameLane) << " events are still queued");

@@ -1,14 +1,10 @@
 // The services of MappingNode; see mapping_node.h.
 #include <filesystem>
-#include <memory>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "rovio_sfm/app/store_folder.h"
-#include "rovio_sfm/io/map_store.h"
 #include "rovio_sfm/ros/answer_merge.h"
-#include "rovio_sfm/ros/export_map.h"
 #include "rovio_sfm/ros/map_messages.h"
 #include "rovio_sfm/ros/map_store_files.h"
 #include "rovio_sfm/ros/mapping_node.h"
@@ -21,23 +17,6 @@ namespace {
 
 constexpr char kReadOnly[] = "~localize is on: the maps are only read";
 constexpr char kNoStore[] = "no store is kept: ~output_dir is empty or ~keep_store false";
-// The encoded image that came with a frame's event; null: none did.
-std::shared_ptr<const std::vector<uint8_t>> ImageOf(
-    const FrameId& id, const std::map<FrameId, FrameEventMsg::ConstPtr>& events) {
-  const auto event = events.find(id);
-  if (event == events.end()) return nullptr;
-  const FrameEventMsg::ConstPtr held = event->second;
-  return {&held->jpeg, [held](const std::vector<uint8_t>*) {}};
-}
-
-// Of frames that the history has let go: the store, through a connection of its own, as the node's
-// belongs to the worker. Null where none is kept.
-std::unique_ptr<MapStore> KeptImages(const std::string& output_dir) {
-  const std::filesystem::path file = StoreFolder::FileIn(output_dir);
-  if (output_dir.empty() || !std::filesystem::exists(file)) return nullptr;
-  return std::make_unique<MapStore>(file, StoreAccess::kRead);
-}
-
 constexpr char kDropped[] = "the call was refused: too many wait already, or the node ends";
 
 }  // namespace
@@ -111,51 +90,6 @@ Status MappingNode::CloseSession(const std::string& robot, std::optional<ClosedS
             " is finished; its next frame begins another");
 }
 
-bool MappingNode::ExportMap(ExportMapRequest& request, ExportMapResponse& response) {
-  if (request.formats.empty()) {
-    response = ExportMapFiles(*engine_.Picture().snapshot, {}, options_.output_dir, request);
-    return true;
-  }
-  MapParts parts;
-  const auto take = [&] { parts = TakeMapParts(request); };
-  if (!RunAndWait(take, kCallLane, &worker_)) {
-    response.status = Internal(kDropped);
-    return true;
-  }
-  const auto events = history_.EventsWithImages();
-  std::optional<std::unique_ptr<MapStore>> kept;  // opened for what is first read of it
-  const auto store = [&] {
-    if (!kept) kept = KeptImages(options_.output_dir);
-    return kept->get();
-  };
-  const MapSource source{
-      [&](const LevelMap&) {
-        if (!parts.model) throw std::runtime_error(parts.error);
-        return std::move(*parts.model);
-      },
-      [&](const ModelImage& image) {
-        const auto recent = ImageOf(image.id, events);
-        if (recent) return recent;
-        return store() ? store()->frames().ReadImage(image.id) : recent;
-      },
-      PageNotes{*engine_.Picture().merges},
-      [&](const ModelImage& image) { return store() ? store()->Get(image.id) : nullptr; }};
-  response = ExportMapFiles(*parts.snapshot, source, options_.output_dir, request);
-  return true;
-}
-
-// On the worker, so that both are of one moment; the files are written elsewhere.
-MappingNode::MapParts MappingNode::TakeMapParts(const ExportMapRequest& request) const {
-  MapParts parts{engine_.Picture().snapshot, std::nullopt, ""};
-  try {
-    const auto map = FindRequestedMap(*parts.snapshot, request);
-    if (map) parts.model = engine_.ModelOf(*map);
-  } catch (const std::exception& error) {
-    parts.error = error.what();
-  }
-  return parts;
-}
-
 bool MappingNode::Reset(ResetRequest& request, ResetResponse& response) {
   if (options_.localize) {
     response.status = FailedPrecondition(kReadOnly);
@@ -185,6 +119,7 @@ bool MappingNode::SaveMap(SaveMapRequest& request, SaveMapResponse& response) {
     response.status = Internal(kDropped);
   } else {
     response = CopyStore(options_.output_dir, request);
+    finish_.RefreshGrid();
   }
   return true;
 }

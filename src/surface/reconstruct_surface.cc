@@ -152,31 +152,41 @@ TriangleMesh DropSpecks(const TriangleMesh& mesh, size_t min_part) {
   return kept;
 }
 
-}  // namespace
-
-TriangleMesh ReconstructSurface(const PointCloud& cloud, const SurfaceOptions& options) {
-  if (cloud.size() < kMinPoints) return {};
-  const Cloud::Ptr points = ToPcl(cloud);
-  const double spacing = SpacingOf(points);
-  const Cloud::Ptr clean = RemoveOutliers(points, spacing, options);
-  if (clean->size() < kMinPoints) return {};
-  const Cloud::Ptr smooth = WithNormals(Smooth(clean, options.smoothing_spacings * spacing));
-  if (smooth->size() < kMinPoints) return {};
+Triangles Poisson(const Cloud::Ptr& cloud, int depth, Cloud* corners) {
   pcl::Poisson<Point> poisson;
-  poisson.setDepth(options.poisson_depth);
+  poisson.setDepth(depth);
   poisson.setThreads(1);  // the same bytes on every machine
-  poisson.setInputCloud(smooth);
-  Cloud corners;
+  poisson.setInputCloud(cloud);
   std::vector<pcl::Vertices> polygons;
-  poisson.reconstruct(corners, polygons);
+  poisson.reconstruct(*corners, polygons);
   Triangles triangles;
   for (const pcl::Vertices& polygon : polygons) {
     triangles.push_back({static_cast<uint32_t>(polygon.vertices[0]),
                          static_cast<uint32_t>(polygon.vertices[1]),
                          static_cast<uint32_t>(polygon.vertices[2])});
   }
-  const TriangleMesh trimmed = Trim(corners, triangles, smooth, options.trim_spacings * spacing);
-  return DropSpecks(trimmed, options.min_part);
+  return triangles;
+}
+
+}  // namespace
+
+TriangleMesh ReconstructSurface(const PointCloud& cloud, const SurfaceOptions& options,
+                                const SurfaceProgress& progress) {
+  if (cloud.size() < kMinPoints) return {};
+  size_t num_done = 0;
+  const auto goes_on = [&] { return !progress || progress(++num_done, kSurfaceSteps); };
+  const Cloud::Ptr points = ToPcl(cloud);
+  const double spacing = SpacingOf(points);
+  const Cloud::Ptr clean = RemoveOutliers(points, spacing, options);
+  if (clean->size() < kMinPoints || !goes_on()) return {};
+  const Cloud::Ptr smooth = WithNormals(Smooth(clean, options.smoothing_spacings * spacing));
+  if (smooth->size() < kMinPoints || !goes_on()) return {};
+  Cloud corners;
+  const Triangles triangles = Poisson(smooth, options.poisson_depth, &corners);
+  if (!goes_on()) return {};
+  const TriangleMesh mesh = DropSpecks(
+      Trim(corners, triangles, smooth, options.trim_spacings * spacing), options.min_part);
+  return goes_on() ? mesh : TriangleMesh();
 }
 
 }  // namespace rovio_sfm

@@ -4,41 +4,10 @@
 
 #include <stdexcept>
 
-#include "dense/textured_room.h"
+#include "finish/wall_model.h"
 
 namespace rovio_sfm {
 namespace {
-
-constexpr double kDepth = 2.0;
-constexpr std::pair<double, double> kPlaces[] = {
-    {0.0, 0.0}, {0.2, 0.0}, {-0.2, 0.0}, {0.0, 0.2}, {0.0, -0.2}};
-
-// The textured wall, seen from five places, and some points on it.
-MapModel WallModel() {
-  MapModel model;
-  model.length_unit = "metres";
-  model.cameras.push_back(SmallCamera());
-  for (const auto& [x, y] : kPlaces) {
-    ModelImage image;
-    image.id.index = static_cast<uint32_t>(model.images.size());
-    image.cam_from_map.translation = {-x, -y, 0.0};
-    model.images.push_back(image);
-  }
-  for (int i = 0; i < 60; ++i) {
-    ModelPoint point;
-    point.x_in_map = {0.1 * (i % 10) - 0.45, 0.1 * (i / 10) - 0.3, kDepth};
-    for (uint32_t view = 0; view < 5; ++view) point.views.push_back({view, 0});
-    model.points.push_back(point);
-  }
-  return model;
-}
-
-std::shared_ptr<const std::vector<uint8_t>> ReadWall(const ModelImage& image) {
-  const auto& [x, y] = kPlaces[image.id.index];
-  std::vector<uint8_t> png;
-  cv::imencode(".png", SeeWall(x, y, kDepth), png);
-  return std::make_shared<const std::vector<uint8_t>>(std::move(png));
-}
 
 TEST(MakeDenseCloud, LiesOnTheWall) {
   Executor executor(0);
@@ -46,7 +15,7 @@ TEST(MakeDenseCloud, LiesOnTheWall) {
   ASSERT_GT(cloud.size(), 2000u);
   size_t right = 0;
   for (const DensePoint& point : cloud)
-    right += std::abs(point.position.z() - kDepth) < 0.03 ? 1 : 0;
+    right += std::abs(point.position.z() - kWallDepth) < 0.03 ? 1 : 0;
   EXPECT_GT(right, 0.99 * static_cast<double>(cloud.size()));
 }
 

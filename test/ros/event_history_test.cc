@@ -61,14 +61,14 @@ TEST(EventHistory, APageIsBoundedInBytes) {
   EXPECT_EQ(page.next_index, 1u);
 }
 
-TEST(EventHistory, GivesTheEventsThatBroughtAnImage) {
+TEST(EventHistory, GivesItsEventsByFrame) {
   EventHistory history(100, 1000000);
   history.Add(Event(0));
   history.Add(Event(1, 1, 30));
-  const auto events = history.EventsWithImages();
-  ASSERT_EQ(events.size(), 1u);
-  EXPECT_EQ(events.begin()->first.index, 1u);
-  EXPECT_EQ(events.begin()->second->jpeg.size(), 30u);
+  const auto events = history.Events();
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events.begin()->first.index, 0u);
+  EXPECT_EQ(events.rbegin()->second->jpeg.size(), 30u);
 }
 
 TEST(EventHistory, UnknownDriveIsNotFound) {

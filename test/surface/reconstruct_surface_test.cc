@@ -69,6 +69,21 @@ TEST(ReconstructSurface, DropsPointsThatFloatAlone) {
   }
 }
 
+TEST(ReconstructSurface, TellsItsStepsAndEndsWhereItIsTold) {
+  std::vector<size_t> told;
+  const auto until = [&](size_t last) {
+    told.clear();
+    return [&told, last](size_t num_done, size_t) {
+      told.push_back(num_done);
+      return num_done < last;
+    };
+  };
+  EXPECT_FALSE(ReconstructSurface(HalfSphere(6000, 0.003), Coarse(), until(9)).triangles.empty());
+  EXPECT_EQ(told, (std::vector<size_t>{1, 2, 3, kSurfaceSteps}));
+  EXPECT_TRUE(ReconstructSurface(HalfSphere(6000, 0.003), Coarse(), until(2)).triangles.empty());
+  EXPECT_EQ(told, (std::vector<size_t>{1, 2}));
+}
+
 TEST(ReconstructSurface, NothingOfAFewPoints) {
   EXPECT_TRUE(ReconstructSurface(HalfSphere(50, 0.0), {}).triangles.empty());
   EXPECT_TRUE(ReconstructSurface({}, {}).vertices.empty());

@@ -22,8 +22,8 @@ class EventHistory {
   void Add(FrameEventMsg::ConstPtr event) EXCLUDES(mutex_);
   void Clear() EXCLUDES(mutex_);
 
-  // The events that brought an image (keep_images), by frame.
-  std::map<FrameId, FrameEventMsg::ConstPtr> EventsWithImages() const EXCLUDES(mutex_);
+  // All of them, by frame.
+  std::map<FrameId, FrameEventMsg::ConstPtr> Events() const EXCLUDES(mutex_);
 
   // Answers the service GetFrames; never fails otherwise than by status.
   GetFramesResponse Page(const GetFramesRequest& request) const EXCLUDES(mutex_);

@@ -28,6 +28,7 @@
 #include "rovio_sfm/ros/diagnostic_pace.h"
 #include "rovio_sfm/ros/event_history.h"
 #include "rovio_sfm/ros/final_maps.h"
+#include "rovio_sfm/ros/finish_actions.h"
 #include "rovio_sfm/ros/frame_fetcher.h"
 #include "rovio_sfm/ros/frame_subscriber.h"
 #include "rovio_sfm/ros/job_worker.h"
@@ -91,6 +92,8 @@ class MappingNode {
     std::string error;  // why there is none
   };
   MapParts TakeMapParts(const ExportMapRequest& request) const;  // worker
+  FinishSources SourcesOfActions();
+  KeptFrames Frames() const;
 
   ArrivedFrame Arrived(const FrameEventMsg::ConstPtr& message, const FrameEvent& event);
   void Map(const FrameEventMsg::ConstPtr& message, const FrameEvent& event);  // worker
@@ -125,6 +128,7 @@ class MappingNode {
   JobWorker worker_;                  // its thread uses the others
   FrameSubscriber frame_subscriber_;  // pushes to the worker
   ros::Subscriber match_subscriber_;  // likewise
+  FinishActions finish_;              // likewise, by a thread of its own
 };
 
 }  // namespace rovio_sfm

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
+
 #include "rovio_sfm/scene/point_cloud.h"
 
 namespace rovio_sfm {
@@ -15,10 +18,15 @@ struct SurfaceOptions {
   size_t min_part = 200;       // triangles; smaller parts are specks
 };
 
+constexpr size_t kSurfaceSteps = 4;  // outliers, smoothing, Poisson, trimming
+// Told after each step; false ends the work, and nothing is made.
+using SurfaceProgress = std::function<bool(size_t num_done, size_t num_steps)>;
+
 // A surface through a cloud (§3.9.1): outliers removed by radius and by k nearest neighbours,
 // positions smoothed and normals estimated by moving least squares (turned as the cloud's own are,
 // where they are known), Poisson's surface, trimmed to where points are. Corners have the colour of
-// the nearest point. Empty for fewer than 100 points.
-TriangleMesh ReconstructSurface(const PointCloud& cloud, const SurfaceOptions& options);
+// the nearest point. Empty for fewer than 100 points, and where the progress ended it.
+TriangleMesh ReconstructSurface(const PointCloud& cloud, const SurfaceOptions& options,
+                                const SurfaceProgress& progress = {});
 
 }  // namespace rovio_sfm
