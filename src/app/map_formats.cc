@@ -12,22 +12,22 @@ struct FormatRow {
   MapFormat format;
   const char* name;
   const char* main_path;
-  bool needs_model;
+  FormatSource source;
 };
 
 constexpr std::array<FormatRow, 12> kFormats = {{
-    {MapFormat::kTum, "tum", "trajectory.txt", false},
-    {MapFormat::kPly, "ply", "cloud.ply", false},
-    {MapFormat::kPlyAscii, "ply_ascii", "cloud_ascii.ply", false},
-    {MapFormat::kKitti, "kitti", "kitti", false},
-    {MapFormat::kColmap, "colmap", "colmap", true},
-    {MapFormat::kColmapText, "colmap_text", "colmap_text", true},
-    {MapFormat::kBundler, "bundler", "bundler", true},
-    {MapFormat::kNvm, "nvm", "nvm", true},
-    {MapFormat::kDense, "dense", "dense.ply", true},
-    {MapFormat::kMesh, "mesh", "mesh.ply", true},
-    {MapFormat::kReport, "report", "report.html", true},
-    {MapFormat::kGrid, "grid", "map.yaml", true},
+    {MapFormat::kTum, "tum", "trajectory.txt", FormatSource::kMap},
+    {MapFormat::kPly, "ply", "cloud.ply", FormatSource::kMap},
+    {MapFormat::kPlyAscii, "ply_ascii", "cloud_ascii.ply", FormatSource::kMap},
+    {MapFormat::kKitti, "kitti", "kitti", FormatSource::kMap},
+    {MapFormat::kColmap, "colmap", "colmap", FormatSource::kModel},
+    {MapFormat::kColmapText, "colmap_text", "colmap_text", FormatSource::kModel},
+    {MapFormat::kBundler, "bundler", "bundler", FormatSource::kModel},
+    {MapFormat::kNvm, "nvm", "nvm", FormatSource::kModel},
+    {MapFormat::kDense, "dense", "dense.ply", FormatSource::kFinished},
+    {MapFormat::kMesh, "mesh", "mesh.ply", FormatSource::kFinished},
+    {MapFormat::kReport, "report", "report.html", FormatSource::kFinished},
+    {MapFormat::kGrid, "grid", "map.yaml", FormatSource::kFinished},
 }};
 
 const FormatRow& RowOf(MapFormat format) {
@@ -60,7 +60,7 @@ MapFormats ReadFormats(const std::string& names) {
   return formats;
 }
 
-bool NeedsModel(MapFormat format) { return RowOf(format).needs_model; }
+FormatSource SourceOf(MapFormat format) { return RowOf(format).source; }
 
 std::string MainPathOf(MapFormat format) { return RowOf(format).main_path; }
 
