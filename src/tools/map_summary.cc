@@ -10,7 +10,7 @@
 #include "rovio_sfm/report/evaluation.h"
 #include "rovio_sfm/report/level_map.h"
 #include "rovio_sfm/report/map_statistics.h"
-#include "rovio_sfm/tools/merges_json.h"
+#include "rovio_sfm/report/merges_json.h"
 #include "rovio_sfm/tools/trajectory/evaluation_json.h"
 
 namespace rovio_sfm {

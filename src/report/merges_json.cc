@@ -1,4 +1,4 @@
-#include "rovio_sfm/tools/merges_json.h"
+#include "rovio_sfm/report/merges_json.h"
 
 #include <map>
 #include <nlohmann/json.hpp>
