@@ -1,7 +1,7 @@
 # The rooms, bottom to top: each is a library that may include what it links, and nothing else.
 set(OPENCV ${OpenCV_LIBS})
 
-rovio_library(util LINKS Threads::Threads PkgConfig::OPENBLAS JPEG::JPEG)
+rovio_library(util LINKS Threads::Threads PkgConfig::OPENBLAS PkgConfig::YAMLCPP JPEG::JPEG)
 rovio_library(geometry LINKS rovio_util Eigen3::Eigen ceres ${OPENCV} TEST_LINKS rovio_synthetic)
 rovio_library(scene LINKS rovio_geometry TEST_LINKS rovio_synthetic)
 

@@ -87,8 +87,8 @@ function showFigures(data) {
             ['', 'kind', 'verdict', 'accepted by', 'sessions', 'frames', 'inliers', 'links', 'scale', 'why'],
             data.merges.map(merge => [String(merge.id), merge.kind,
               {text: merge.verdict, className: 'verdict-' + merge.verdict}, merge.accepted_by,
-              merge.sessions.join(', '), `${merge.query} – ${merge.other}`, String(merge.inliers), String(merge.links),
-              merge.scale.toFixed(3), merge.reason + (merge.warning ? ' · ' + merge.warning : '')]));
+              `${merge.query_session}, ${merge.other_session}`, `${merge.query} – ${merge.other}`, String(merge.inliers), String(merge.links),
+              merge.scale_query_from_other.toFixed(3), merge.reason + (merge.warning ? ' · ' + merge.warning : '')]));
 }
 
 function hideUnless(isThere, id) {

@@ -12,23 +12,23 @@ struct FormatRow {
   MapFormat format;
   const char* name;
   const char* main_path;
-  bool needs_model;
+  FormatSource source;
 };
 
 constexpr std::array<FormatRow, 13> kFormats = {{
-    {MapFormat::kTum, "tum", "trajectory.txt", false},
-    {MapFormat::kPly, "ply", "cloud.ply", false},
-    {MapFormat::kPlyAscii, "ply_ascii", "cloud_ascii.ply", false},
-    {MapFormat::kKitti, "kitti", "kitti", false},
-    {MapFormat::kColmap, "colmap", "colmap", true},
-    {MapFormat::kColmapText, "colmap_text", "colmap_text", true},
-    {MapFormat::kBundler, "bundler", "bundler", true},
-    {MapFormat::kNvm, "nvm", "nvm", true},
-    {MapFormat::kDensified, "densified", "densified.ply", true},
-    {MapFormat::kDense, "dense", "dense.ply", true},
-    {MapFormat::kMesh, "mesh", "mesh.ply", true},
-    {MapFormat::kReport, "report", "report.html", true},
-    {MapFormat::kGrid, "grid", "map.yaml", true},
+    {MapFormat::kTum, "tum", "trajectory.txt", FormatSource::kMap},
+    {MapFormat::kPly, "ply", "cloud.ply", FormatSource::kMap},
+    {MapFormat::kPlyAscii, "ply_ascii", "cloud_ascii.ply", FormatSource::kMap},
+    {MapFormat::kKitti, "kitti", "kitti", FormatSource::kMap},
+    {MapFormat::kColmap, "colmap", "colmap", FormatSource::kModel},
+    {MapFormat::kColmapText, "colmap_text", "colmap_text", FormatSource::kModel},
+    {MapFormat::kBundler, "bundler", "bundler", FormatSource::kModel},
+    {MapFormat::kNvm, "nvm", "nvm", FormatSource::kModel},
+    {MapFormat::kDensified, "densified", "densified.ply", FormatSource::kFinished},
+    {MapFormat::kDense, "dense", "dense.ply", FormatSource::kFinished},
+    {MapFormat::kMesh, "mesh", "mesh.ply", FormatSource::kFinished},
+    {MapFormat::kReport, "report", "report.html", FormatSource::kFinished},
+    {MapFormat::kGrid, "grid", "map.yaml", FormatSource::kFinished},
 }};
 
 const FormatRow& RowOf(MapFormat format) {
@@ -61,7 +61,7 @@ MapFormats ReadFormats(const std::string& names) {
   return formats;
 }
 
-bool NeedsModel(MapFormat format) { return RowOf(format).needs_model; }
+FormatSource SourceOf(MapFormat format) { return RowOf(format).source; }
 
 bool TakesLong(MapFormat format) {
   return format == MapFormat::kDensified || format == MapFormat::kDense ||

@@ -128,9 +128,9 @@ void OfflineMapper::Map(const FrameEvent& event) {
   const auto kept = kept_before_.find(event.id.drive);
   if (kept != kept_before_.end() && event.id.index < kept->second) return;
   const MapperReport report = mapper_.Add(event);
-  landmarks_.created += report.num_created;
-  landmarks_.united += report.num_united;
-  landmarks_.pruned_observations += report.num_pruned;
+  landmarks_.created += report.growth.num_created;
+  landmarks_.united += report.growth.num_united;
+  landmarks_.pruned_observations += report.growth.num_pruned;
   if (report.outcome == MapperOutcome::kRefused) CountReason("frame: " + report.reason, &refused_);
   if (recognizer_) {
     for (const PlaceMatch& match : recognizer_->Add(event)) mapper_.Add(match);

@@ -1,7 +1,7 @@
 #include "rovio_sfm/app/option_reader.h"
 
 #include <sstream>
-#include <stdexcept>
+#include <utility>
 
 namespace rovio_sfm {
 namespace {
@@ -23,48 +23,21 @@ std::string Text(const std::vector<T>& values) {
 }  // namespace
 
 OptionReader::OptionReader(const YAML::Node& node, const std::string& path)
-    : node_(node), path_(path), effective_(std::make_shared<std::vector<std::string>>()) {
-  const bool is_empty = !node_.IsDefined() || node_.IsNull();
-  if (!is_empty && !node_.IsMap())
-    throw std::runtime_error(path_ + ": expected a group of options");
-}
+    : OptionReader(YamlMap(node, path)) {}
+
+OptionReader::OptionReader(YamlMap map)
+    : map_(std::move(map)), effective_(std::make_shared<std::vector<std::string>>()) {}
 
 OptionReader OptionReader::Group(const std::string& name) {
-  known_.insert(name);
-  const YAML::Node child = node_.IsMap() ? YAML::Node(node_[name]) : YAML::Node();
-  OptionReader group(child, PathOf(name));
+  OptionReader group(map_.Group(name));
   group.effective_ = effective_;
   return group;
 }
 
-void OptionReader::RefuseUnknown() const {
-  if (!node_.IsDefined() || !node_.IsMap()) return;
-  for (const auto& entry : node_) {
-    const auto name = entry.first.as<std::string>();
-    if (known_.count(name) == 0) Fail(name, "unknown option");
-  }
-}
-
-void OptionReader::Fail(const std::string& name, const std::string& reason) const {
-  throw std::runtime_error(PathOf(name) + ": " + reason);
-}
-
-std::string OptionReader::PathOf(const std::string& name) const {
-  return path_.empty() ? name : path_ + "." + name;
-}
-
 template <typename T>
 void OptionReader::ReadScalar(const std::string& name, const std::string& expected, T* value) {
-  known_.insert(name);
-  const YAML::Node& node = node_;  // operator[] of a const node adds nothing
-  if (node.IsDefined() && node.IsMap() && node[name].IsDefined()) {
-    try {
-      *value = node[name].as<T>();
-    } catch (const YAML::Exception&) {
-      Fail(name, "expected " + expected);
-    }
-  }
-  effective_->push_back(PathOf(name) + " = " + Text(*value));
+  map_.Read(name, expected, value);
+  effective_->push_back(map_.PathOf(name) + " = " + Text(*value));
 }
 
 template void OptionReader::ReadScalar(const std::string&, const std::string&, bool*);

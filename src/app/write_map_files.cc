@@ -74,10 +74,6 @@ std::vector<NamedFile> FilesOf(const LevelMap& map, MapFormat format) {
 
 constexpr char kGridPicture[] = "map.pgm";
 
-bool IsFinished(MapFormat format) {
-  return TakesLong(format) || format == MapFormat::kReport || format == MapFormat::kGrid;
-}
-
 // One map on its way into files; what is made of it is made once. Borrows all that it is given.
 class MapInWork {
  public:
@@ -178,12 +174,11 @@ WrittenFiles WriteMapFiles(const LevelMap& map, const MapSource& source, const M
       all.left_out.push_back("grid: not written, as the map is not metric");
       continue;
     }
-    if (NeedsModel(format) && !work) {
-      work.emplace(map, source, formats);
-    }
+    const FormatSource made_from = SourceOf(format);
+    if (made_from != FormatSource::kMap && !work) work.emplace(map, source, formats);
     const WrittenFiles written =
-        IsFinished(format) ? WriteFiles(work->FilesOf(format), folder, overwrite)
-        : NeedsModel(format)
+        made_from == FormatSource::kFinished ? WriteFiles(work->FilesOf(format), folder, overwrite)
+        : made_from == FormatSource::kModel
             ? WriteModelFiles(work->model(), format, source.pictures, folder, overwrite)
             : WriteFiles(FilesOf(map, format), folder, overwrite);
     all.paths.insert(all.paths.end(), written.paths.begin(), written.paths.end());

@@ -118,7 +118,7 @@ void ReadSmallLists(FieldReader* reader, SessionEpoch* epoch) {
   });
   ReadList("positions", reader, [&] {
     const auto track = reader->Read<TrackId>("track");
-    epoch->positions.emplace_back(track, ReadVector<3>("position", reader));
+    epoch->positions.Add(track, ReadVector<3>("position", reader));
   });
   ReadList("aliases", reader, [&] { epoch->aliases.push_back(reader->Read<TrackId>("alias")); });
 }
@@ -147,7 +147,7 @@ std::string EpochBytes(const SessionEpoch& epoch, const EpochSizes& from) {
     writer.Write(member.feature);
     writer.Write(member.track);
   });
-  WriteList(epoch.positions, from[3], &writer, [&](const auto& position) {
+  WriteList(epoch.positions.List(), from[3], &writer, [&](const auto& position) {
     writer.Write(position.first);
     WriteVector<3>(position.second, &writer);
   });

@@ -30,7 +30,7 @@ size_t NumObservations(const Session& session) {
 }
 
 uint32_t CompleteAll(const MapperOptions& options, Session* session) {
-  const TriangulateTracksOptions triangulate = TriangulateOptionsOf(options);
+  const LandmarkLimits triangulate = TriangulationLimits(options);
   uint32_t num_changed = 0;
   for (const auto& [index, frame] : session->keyframes()) {
     const TriangulateReport report = TriangulateTracks(index, triangulate, session);
@@ -46,8 +46,8 @@ bool Adjust(const BundleOptions& bundle_options, const AdjustOptions& options,
   return AdjustByWindow(&bundle->problem, bundle_options, max_frames).usable;
 }
 
-PruneLandmarksOptions FinalPrune(const MapperOptions& options, const Session& session) {
-  PruneLandmarksOptions prune = PruneOptionsOf(options);
+LandmarkLimits FinalPrune(const MapperOptions& options, const Session& session) {
+  LandmarkLimits prune = PruningLimits(options);
   const double spread = ResidualSpread(session);
   prune.max_error_sigmas =
       std::min(prune.max_error_sigmas, options.prune.final_error_sigmas * std::sqrt(2.0) * spread);
@@ -63,7 +63,7 @@ PruneReport AdjustLocally(uint32_t frame, const MapperOptions& options, Session*
   if (AdjustBundle(&bundle.problem, LocalBundleOptions(options)).usable) {
     ApplyBundle(bundle, false, session);
   }
-  return PruneLandmarks(bundle.tracks, PruneOptionsOf(options), session);
+  return PruneLandmarks(bundle.tracks, PruningLimits(options), session);
 }
 
 PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
@@ -115,7 +115,9 @@ void GlobalAdjustment::Restart(const Session& session) {
 void GlobalAdjustment::Start(const Session& session) {
   num_frames_at_last_ = session.keyframes().size();
   num_landmarks_at_last_ = session.landmarks().size();
-  const BundleOptions bundle_options{options_.running_max_iterations, loss_sigmas_};
+  const Wait wait;
+  BundleOptions bundle_options{options_.running_max_iterations, loss_sigmas_};
+  bundle_options.is_given_up = wait.IsGivenUp();
   auto solved = executor_->Submit(
       [](SessionBundle bundle, const BundleOptions& solve, const AdjustOptions& options) {
         if (!Adjust(solve, options, &bundle)) bundle = {};
@@ -123,7 +125,7 @@ void GlobalAdjustment::Start(const Session& session) {
       },
       MakeGlobalBundle(session), bundle_options, options_);
   running_ = std::make_unique<DelayedResult<SessionBundle>>(std::move(solved), num_frames_at_last_,
-                                                            timing_);
+                                                            timing_, wait);
 }
 
 bool GlobalAdjustment::Advance(Session* session, StageTimes* times) {

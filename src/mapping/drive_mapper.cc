@@ -75,7 +75,7 @@ MapperReport DriveMapper::Add(const FrameEvent& event) {
     report.reason = *reason;
   } else if (event.kind == FrameKind::kLight) {
     context_.store->Put(event);
-    AddLight(event, &report);
+    report.outcome = AddLight(event);
   } else {
     context_.store->Put(event);
     pending_links_.insert(pending_links_.end(), event.links.begin(), event.links.end());
@@ -160,13 +160,12 @@ void DriveMapper::EnterMap(uint32_t first_index) {
 }
 
 void DriveMapper::HoldAll(const std::vector<FrameEvent>& events) {
-  MapperReport unused;
   for (const FrameEvent& event : events) {
     if (RefusalOf(event)) {
       ++counters_.refused_events;
     } else if (event.kind == FrameKind::kLight) {
       context_.store->Put(event);
-      AddLight(event, &unused);
+      AddLight(event);
     } else {
       context_.store->Put(event);
       pending_links_.insert(pending_links_.end(), event.links.begin(), event.links.end());
@@ -187,8 +186,7 @@ void DriveMapper::InsertHeld(const FrameEvent& event) {
   if (!registration) return;
   current().AddKeyframe(event.id.index,
                         MakeKeyframe(event, registration->cam_from_session, context_.options));
-  MapperReport unused;
-  GrowMap(event.id.index, &unused);
+  GrowMap(event.id.index);
 }
 
 void DriveMapper::AddKeyframe(const FrameEvent& event, MapperReport* report) {
@@ -199,7 +197,7 @@ void DriveMapper::AddKeyframe(const FrameEvent& event, MapperReport* report) {
   report->outcome = MapperOutcome::kKeyframe;
   current().AddKeyframe(event.id.index,
                         MakeKeyframe(event, registration->cam_from_session, context_.options));
-  GrowMap(event.id.index, report);
+  report->growth = GrowMap(event.id.index);
   RetryWeakFrames(context_.options.max_weak_tries);
   last_pose_ = current().keyframe(event.id.index).cam_from_session;
   UpdateScale(context_.options.scale, false, &current());
@@ -215,10 +213,11 @@ std::optional<Registration> DriveMapper::Resect(const FrameEvent& event, MapperR
   return registration;
 }
 
-void DriveMapper::GrowMap(uint32_t frame, MapperReport* report) {
+MapGrowth DriveMapper::GrowMap(uint32_t frame) {
+  MapGrowth growth;
   ++counters_.keyframes;
   const MapperOptions& options = context_.options;
-  const TriangulateTracksOptions triangulate = TriangulateOptionsOf(options);
+  const LandmarkLimits triangulate = TriangulationLimits(options);
   {
     const auto scope = MeasureStage(context_.times, "search");
     CompleteLandmarks(frame, triangulate.max_error_sigmas, &current());
@@ -226,15 +225,16 @@ void DriveMapper::GrowMap(uint32_t frame, MapperReport* report) {
     search.max_error_sigmas = options.prune.max_error_px / options.pixel_sigma_px;
     search.f2 = options.f2;
     const SearchReport found = SearchLandmarks(frame, search, *context_.store, &current());
-    report->num_found = found.num_added;
-    report->num_united = found.num_united;
+    growth.num_found = found.num_added;
+    growth.num_united = found.num_united;
   }
   {
     const auto scope = MeasureStage(context_.times, "triangulate");
-    report->num_created = TriangulateTracks(frame, triangulate, &current()).num_created;
+    growth.num_created = TriangulateTracks(frame, triangulate, &current()).num_created;
   }
   const auto scope = MeasureStage(context_.times, "adjust_locally");
-  report->num_pruned = AdjustLocally(frame, options, &current()).num_observations;
+  growth.num_pruned = AdjustLocally(frame, options, &current()).num_observations;
+  return growth;
 }
 
 void DriveMapper::AddWeak(const FrameEvent& event, MapperReport* report) {
@@ -254,8 +254,7 @@ void DriveMapper::RetryWeakFrames(int max_tries) {
   for (WeakFrame& weak : std::exchange(weak_, {})) {
     const uint32_t index = weak.event.id.index;
     if (ResectWeakFrame(index, context_.options, &current())) {
-      MapperReport unused;
-      GrowMap(index, &unused);
+      GrowMap(index);
     } else if (++weak.num_tries < max_tries) {
       weak_.push_back(std::move(weak));
     } else {
@@ -279,20 +278,20 @@ void DriveMapper::LoseSession(MapperReport* report) {
   for (const WeakFrame& frame : weak) Hold(frame.event, report);
 }
 
-void DriveMapper::AddLight(const FrameEvent& event, MapperReport* report) {
+MapperOutcome DriveMapper::AddLight(const FrameEvent& event) {
   const auto scope = MeasureStage(context_.times, "light");
   ++counters_.light_frames;
   LightFrame frame = MakeLightFrame(event);
   const bool posed =
       current().state() == SessionState::kMapping &&
       PoseLightFrame(event.id.index, last_pose_, context_.options, &frame, current());
-  report->outcome = posed ? MapperOutcome::kLight : MapperOutcome::kUnposed;
   if (!posed) {
     unposed_.emplace(event.id.index, std::move(frame));
-    return;
+    return MapperOutcome::kUnposed;
   }
   last_pose_ = frame.cam_from_reference * current().keyframe(frame.reference).cam_from_session;
   current().AddLightFrame(event.id.index, std::move(frame));
+  return MapperOutcome::kLight;
 }
 
 void DriveMapper::PoseWaitingLightFrames() {

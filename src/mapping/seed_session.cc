@@ -109,7 +109,7 @@ bool SeedSession(const std::deque<FrameEvent>& held, const std::vector<PlaceMatc
   if (other == nullptr) return false;
   const auto poses = PoseHeld(held, matches, *other, options, *session);
   if (poses.size() < 2) return false;
-  const TriangulateTracksOptions triangulate = TriangulateOptionsOf(options);
+  const LandmarkLimits triangulate = TriangulationLimits(options);
   for (const FrameEvent& event : held) {
     const auto pose = poses.find(event.id.index);
     if (pose == poses.end()) continue;

@@ -13,12 +13,12 @@ double MinParallaxRad(const MapperOptions& options) {
 
 }  // namespace
 
-TriangulateTracksOptions TriangulateOptionsOf(const MapperOptions& options) {
+LandmarkLimits TriangulationLimits(const MapperOptions& options) {
   return {MinParallaxRad(options), options.triangulate.max_error_px / options.pixel_sigma_px};
 }
 
-PruneLandmarksOptions PruneOptionsOf(const MapperOptions& options) {
-  return {options.prune.max_error_px / options.pixel_sigma_px, MinParallaxRad(options)};
+LandmarkLimits PruningLimits(const MapperOptions& options) {
+  return {MinParallaxRad(options), options.prune.max_error_px / options.pixel_sigma_px};
 }
 
 }  // namespace rovio_sfm

@@ -13,7 +13,7 @@ bool StartSession(const BootstrapPair& pair, const std::deque<FrameEvent>& held,
   const FrameEvent& second = held[pair.second];
   session->AddKeyframe(first.id.index, MakeKeyframe(first, Rigid3{}, options));
   session->AddKeyframe(second.id.index, MakeKeyframe(second, pair.second_from_first, options));
-  const TriangulateTracksOptions triangulate = TriangulateOptionsOf(options);
+  const LandmarkLimits triangulate = TriangulationLimits(options);
   TriangulateTracks(second.id.index, triangulate, session);
   if (!session->landmarks().empty()) AdjustLocally(second.id.index, options, session);
   if (session->landmarks().size() >= static_cast<size_t>(options.bootstrap.min_inliers) / 2) {

@@ -11,7 +11,8 @@ namespace rovio_sfm {
 namespace {
 
 constexpr int kFinalRounds = 3;
-constexpr double kLooseFactor = 3.0;  // links may be that much worse before the adjustment
+constexpr double kSettledShare = 0.0005;  // of the observations that went in a round
+constexpr double kLooseFactor = 3.0;      // links may be that much worse before the adjustment
 
 double PixelsPerSigma(const PlacedSession& placed, const FeatureRef& feature) {
   return placed.session->keyframe(feature.frame).sigmas[feature.feature] *
@@ -76,7 +77,7 @@ uint32_t DropBadLinks(const std::vector<PlacedSession>& sessions, double max_err
 uint32_t PruneSessions(const std::vector<PlacedSession>& sessions, const MapperOptions& options) {
   uint32_t num_removed = 0;
   for (const PlacedSession& placed : sessions) {
-    num_removed += PruneAllLandmarks(PruneOptionsOf(options), placed.session).num_observations;
+    num_removed += PruneAllLandmarks(PruningLimits(options), placed.session).num_observations;
   }
   return num_removed;
 }
@@ -96,20 +97,22 @@ size_t NumFrames(const std::vector<PlacedSession>& sessions) {
 }
 
 // One round, as the map is adjusted again when its sessions end.
-std::future<std::unique_ptr<MapBundle>> SolveBeside(const std::vector<PlacedSession>& sessions,
-                                                    const std::vector<FeatureLink>& links,
-                                                    const MapperOptions& options,
-                                                    Executor* executor) {
-  MapBundle bundle(sessions, links, kLooseFactor * MaxErrorSigmas(options));
-  const BundleOptions solve{options.adjust.running_max_iterations, LossSigmas(options)};
+DelayedResult<std::unique_ptr<MapBundle>> SolveBeside(const std::vector<PlacedSession>& sessions,
+                                                      const std::vector<FeatureLink>& links,
+                                                      const MapperOptions& options,
+                                                      Executor* executor, ResultTiming timing) {
+  const Wait wait;
+  BundleOptions solve{options.adjust.running_max_iterations, LossSigmas(options)};
+  solve.is_given_up = wait.IsGivenUp();
   const auto max_frames = static_cast<size_t>(options.adjust.max_global_frames);
-  return executor->Submit(
+  auto solved = executor->Submit(
       [](MapBundle own, const BundleOptions& solve_options,
          size_t frames) -> std::unique_ptr<MapBundle> {
         if (!own.Solve(solve_options, frames).usable) return nullptr;
         return std::make_unique<MapBundle>(std::move(own));
       },
-      std::move(bundle), solve, max_frames);
+      MapBundle(sessions, links, kLooseFactor * MaxErrorSigmas(options)), solve, max_frames);
+  return {std::move(solved), NumFrames(sessions), timing, wait};
 }
 
 }  // namespace
@@ -156,8 +159,12 @@ MapAdjustmentReport AdjustMapFinally(const std::vector<PlacedSession>& sessions,
     report.usable = true;
     report.shared = bundle.FindShared();
     if (is_last) break;
-    report.num_dropped_links += DropBadLinks(sessions, max_error_sigmas, links);
-    if (PruneSessions(sessions, options) == 0) round = kFinalRounds - 1;
+    const uint32_t num_bad_links = DropBadLinks(sessions, max_error_sigmas, links);
+    report.num_dropped_links += num_bad_links;
+    const uint32_t num_gone = num_bad_links + PruneSessions(sessions, options);
+    if (num_gone <= kSettledShare * static_cast<double>(bundle.num_observations())) {
+      round = kFinalRounds - 1;
+    }
   }
   report.after = MeasureLinks(sessions, *links);
   return report;
@@ -172,8 +179,7 @@ SharedLandmarks FindSharedLandmarks(const std::vector<PlacedSession>& sessions,
 MapAdjustment::MapAdjustment(const std::vector<PlacedSession>& sessions,
                              const std::vector<FeatureLink>& links, const MapperOptions& options,
                              Executor* executor, ResultTiming timing)
-    : sessions_(sessions),
-      result_(SolveBeside(sessions, links, options, executor), NumFrames(sessions), timing) {}
+    : sessions_(sessions), result_(SolveBeside(sessions, links, options, executor, timing)) {}
 
 MapAdjustmentReport MapAdjustment::Apply(const MapperOptions& options,
                                          std::vector<FeatureLink>* links, StageTimes* times) {

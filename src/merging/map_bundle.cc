@@ -225,6 +225,7 @@ SharedLandmarks MapBundle::FindShared() const {
       if (roots.count(root) != 0) shared[{part.placed.session->id(), part.bundle.tracks[i]}] = root;
     }
   }
+  shared.shrink_to_fit();
   return shared;
 }
 

@@ -196,6 +196,7 @@ void MapKeeper::CloseLoop(MergeEdit* edit) {
 // What runs on the map is thrown away: it knows nothing of this edit.
 void MapKeeper::StartAdjusting(MapId map, const MergeEdit& edit) {
   running_.erase(map);
+  const auto scope = MeasureStage(times_, "adjust_map");
   const std::vector<FeatureLink> links = list_.LinksOf(map);
   if (links.empty()) return;
   running_.emplace(map, Running{MapAdjustment(list_.SessionsOf(map, &sessions_), links, options_,
@@ -218,6 +219,7 @@ bool MapKeeper::ApplyDueResults() {
 }
 
 void MapKeeper::ApplyAdjustment(MapId map) {
+  const auto scope = MeasureStage(times_, "adjust_map");
   Running running = std::move(running_.extract(map).mapped());
   std::vector<FeatureLink> links = list_.LinksOf(map);
   const MapAdjustmentReport report = running.adjustment.Apply(options_, &links, times_);

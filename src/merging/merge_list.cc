@@ -37,6 +37,7 @@ MergeEdit& MergeList::Keep(const PlaceMatch& match, OverlapTrial trial) {
   edit.report = std::move(trial.report);
   edit.match = match;
   edit.links = std::move(trial.links);
+  edit.links.shrink_to_fit();  // kept as long as the map
   return Keep(std::move(edit));
 }
 

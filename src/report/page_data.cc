@@ -8,6 +8,7 @@
 
 #include "rovio_sfm/report/drive_names.h"
 #include "rovio_sfm/report/map_statistics.h"
+#include "rovio_sfm/report/merges_json.h"
 #include "rovio_sfm/util/base64.h"
 
 namespace rovio_sfm {
@@ -115,26 +116,6 @@ Json PathsJson(const LevelMap& map) {
   return paths;
 }
 
-Json MergesJson(const PageNotes& notes) {
-  Json merges = Json::array();
-  for (const MergeReport& merge : notes.merges) {
-    merges.push_back({{"id", merge.id},
-                      {"kind", ToString(merge.kind)},
-                      {"verdict", ToString(merge.verdict)},
-                      {"accepted_by", ToString(merge.accepted_by)},
-                      {"reason", merge.reason},
-                      {"warning", merge.warning},
-                      {"query", merge.query.ToString()},
-                      {"other", merge.other.ToString()},
-                      {"sessions", {merge.query_session.value, merge.other_session.value}},
-                      {"matches", merge.num_matches},
-                      {"inliers", merge.num_inliers},
-                      {"links", merge.num_links},
-                      {"scale", Short(merge.query_from_other.scale)}});
-  }
-  return merges;
-}
-
 // From camera to camera of each accepted overlap whose frames the map holds.
 Json OverlapsJson(const MapModel& model, const PageNotes& notes) {
   std::map<FrameId, Eigen::Vector3d> centers;
@@ -231,7 +212,7 @@ std::string PageDataJson(const LevelMap& map, const MapModel& model, const PageN
                      {"errors", ErrorByImage(model)},
                      {"views", ViewsByImage(model)},
                      {"stages", stages},
-                     {"merges", MergesJson(notes)},
+                     {"merges", MergesJson(notes.merges)["reports"]},
                      {"paths", PathsJson(map)},
                      {"overlaps", OverlapsJson(model, notes)},
                      {"cloud", CloudJson(map)},

@@ -17,7 +17,7 @@ size_t BytesOf(const SessionEpoch::Parts<Key, Part>& parts) {
 
 size_t SessionEpoch::NumBytes() const {
   return sizeof(*this) + BytesOf(poses) + BytesOf(light_poses) + BytesOf(members) +
-         BytesOf(positions) + BytesOf(landmarks) + BytesOf(keyframes) + BytesOf(light_frames) +
+         positions.NumBytes() + BytesOf(landmarks) + BytesOf(keyframes) + BytesOf(light_frames) +
          BytesOf(aliases);
 }
 
@@ -25,7 +25,7 @@ void SessionEpoch::Shrink() {
   poses.shrink_to_fit();
   light_poses.shrink_to_fit();
   members.shrink_to_fit();
-  positions.shrink_to_fit();
+  positions.Shrink();
   landmarks.shrink_to_fit();
   keyframes.shrink_to_fit();
   light_frames.shrink_to_fit();

@@ -35,7 +35,7 @@ uint32_t Session::Mark() {
   epochs_.back().number = ++num_marks_;
   epochs_.back().scale = scale_;
   epochs_.back().poses.reserve(keyframes_.size());  // an adjustment of the map moves every one
-  epochs_.back().positions.reserve(landmarks_.size());
+  epochs_.back().positions.Reserve(landmarks_.size());
   return num_marks_;
 }
 
@@ -105,7 +105,7 @@ void Session::RememberPosition(TrackId track) {
     return;
   }
   landmark.stamps.moved = Epoch();
-  epochs_.back().positions.emplace_back(track, landmark.position);
+  epochs_.back().positions.Add(track, landmark.position);
 }
 
 void Session::RememberLandmark(TrackId track) {
@@ -146,7 +146,8 @@ void Session::Undo(const SessionEpoch& epoch) {
   for (auto it = epoch.members.rbegin(); it != epoch.members.rend(); ++it) {
     MutableKeyframe(it->frame).tracks[it->feature] = it->track;
   }
-  for (auto it = epoch.positions.rbegin(); it != epoch.positions.rend(); ++it) {
+  const auto positions = epoch.positions.List();
+  for (auto it = positions.rbegin(); it != positions.rend(); ++it) {
     landmarks_.at(it->first).position = it->second;
   }
   for (const TrackId alias : epoch.aliases) alias_.erase(alias);

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "rovio_sfm/sfm/reprojection_cost.h"
 
 namespace rovio_sfm {
 namespace {
 
-constexpr size_t kMaxDenseCameras = 24;  // up to here a dense Schur complement is faster
+constexpr size_t kMaxDenseCameras = 150;  // up to here a dense Schur complement is faster
 
 PoseBlock ToBlock(const Rigid3& cam_from_map) {
   const auto& q = cam_from_map.rotation;
@@ -88,7 +89,21 @@ std::shared_ptr<ceres::ParameterBlockOrdering> MakeOrdering(std::vector<Eigen::V
   return ordering;
 }
 
-ceres::Solver::Options SolverOptions(const BundleOptions& options, const Gauge& gauge) {
+// Ends a solution that nobody waits for any more.
+class GiveUp : public ceres::IterationCallback {
+ public:
+  explicit GiveUp(std::function<bool()> is_given_up) : is_given_up_(std::move(is_given_up)) {}
+  bool Now() const { return is_given_up_ && is_given_up_(); }
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& /*summary*/) override {
+    return Now() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  std::function<bool()> is_given_up_;
+};
+
+ceres::Solver::Options SolverOptions(const BundleOptions& options, const Gauge& gauge,
+                                     GiveUp* give_up) {
   ceres::Solver::Options solver_options;
   const auto num_free =
       static_cast<size_t>(std::count(gauge.fixed.begin(), gauge.fixed.end(), false));
@@ -100,6 +115,7 @@ ceres::Solver::Options SolverOptions(const BundleOptions& options, const Gauge& 
   solver_options.max_num_iterations = options.max_iterations;
   solver_options.function_tolerance = options.function_tolerance;
   solver_options.logging_type = ceres::SILENT;
+  solver_options.callbacks = {give_up};
   return solver_options;
 }
 
@@ -107,10 +123,12 @@ ceres::Solver::Options SolverOptions(const BundleOptions& options, const Gauge& 
 
 BundleReport AdjustBundle(BundleProblem* problem, const BundleOptions& options) {
   BundleReport report;
+  GiveUp give_up(options.is_given_up);
+  if (give_up.Now()) report.message = "given up";
   if (problem->cameras.size() < 2 || problem->observations.empty()) {
     report.message = "fewer than two cameras, or no observations";
-    return report;
   }
+  if (!report.message.empty()) return report;
   std::vector<PoseBlock> poses;
   for (const BundleCamera& camera : problem->cameras) poses.push_back(ToBlock(camera.cam_from_map));
   const std::vector<Eigen::Vector3d> points_before = problem->points;
@@ -119,7 +137,7 @@ BundleReport AdjustBundle(BundleProblem* problem, const BundleOptions& options) 
   ceres::Problem solver;
   AddObservations(problem, options, &poses, &solver);
   SetGauge(gauge, &poses, &solver);
-  ceres::Solver::Options solver_options = SolverOptions(options, gauge);
+  ceres::Solver::Options solver_options = SolverOptions(options, gauge, &give_up);
   solver_options.linear_solver_ordering = MakeOrdering(&problem->points, &poses, solver);
   ceres::Solver::Summary summary;
   ceres::Solve(solver_options, &solver, &summary);

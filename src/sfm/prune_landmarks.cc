@@ -34,13 +34,13 @@ bool HasParallax(const Session& session, const Landmark& landmark, double min_pa
   return false;
 }
 
-void PruneLandmark(TrackId id, const PruneLandmarksOptions& options, Session* session,
+void PruneLandmark(TrackId id, const LandmarkLimits& limits, Session* session,
                    PruneReport* report) {
   const Landmark before = session->landmarks().at(id);
   const size_t count = before.observations.size();
   std::vector<Observation> bad;
   for (const Observation& observation : before.observations) {
-    if (!(ErrorSigmas(*session, observation, before.position) <= options.max_error_sigmas)) {
+    if (!(ErrorSigmas(*session, observation, before.position) <= limits.max_error_sigmas)) {
       bad.push_back(observation);
     }
   }
@@ -48,7 +48,7 @@ void PruneLandmark(TrackId id, const PruneLandmarksOptions& options, Session* se
     session->RemoveLandmark(id);
   } else {
     for (const Observation& observation : bad) session->RemoveObservation(id, observation);
-    if (!HasParallax(*session, session->landmarks().at(id), options.min_parallax_rad)) {
+    if (!HasParallax(*session, session->landmarks().at(id), limits.min_parallax_rad)) {
       session->RemoveLandmark(id);
     }
   }
@@ -60,19 +60,19 @@ void PruneLandmark(TrackId id, const PruneLandmarksOptions& options, Session* se
 
 }  // namespace
 
-PruneReport PruneLandmarks(const std::vector<TrackId>& tracks, const PruneLandmarksOptions& options,
+PruneReport PruneLandmarks(const std::vector<TrackId>& tracks, const LandmarkLimits& limits,
                            Session* session) {
   PruneReport report;
   for (const TrackId id : tracks) {
-    if (session->landmarks().count(id) == 1) PruneLandmark(id, options, session, &report);
+    if (session->landmarks().count(id) == 1) PruneLandmark(id, limits, session, &report);
   }
   return report;
 }
 
-PruneReport PruneAllLandmarks(const PruneLandmarksOptions& options, Session* session) {
+PruneReport PruneAllLandmarks(const LandmarkLimits& limits, Session* session) {
   std::vector<TrackId> tracks;
   for (const auto& [id, landmark] : session->landmarks()) tracks.push_back(id);
-  return PruneLandmarks(tracks, options, session);
+  return PruneLandmarks(tracks, limits, session);
 }
 
 double ResidualSpread(const Session& session) {

@@ -91,13 +91,13 @@ PointView ViewOf(const Session& session, const Observation& observation) {
           frame.sigmas[observation.feature]};
 }
 
-bool CreateLandmark(TrackId id, const Track& track, const TriangulateTracksOptions& options,
+bool CreateLandmark(TrackId id, const Track& track, const LandmarkLimits& limits,
                     Session* session) {
   const std::vector<Observation> members = UsableMembers(*session, track);
   if (members.size() < 2) return false;
   std::vector<PointView> views;
   for (const Observation& member : members) views.push_back(ViewOf(*session, member));
-  const auto point = TriangulatePoint(views, options);
+  const auto point = TriangulatePoint(views, limits);
   if (!point) return false;
   std::vector<Observation> observations;
   for (const uint32_t i : point->inliers) observations.push_back(members[i]);
@@ -126,13 +126,13 @@ uint32_t CompleteLandmark(TrackId id, double max_error_sigmas, Session* session)
 }  // namespace
 
 std::optional<TriangulatedPoint> TriangulatePoint(const std::vector<PointView>& views,
-                                                  const TriangulateTracksOptions& options) {
+                                                  const LandmarkLimits& limits) {
   TriangulatedPoint best;
   for (const ViewPair& pair : WidestPairs(views)) {
-    if (pair.angle < options.min_parallax_rad) break;
+    if (pair.angle < limits.min_parallax_rad) break;
     const auto point = Fit(views, {pair.a, pair.b});
     if (!point) continue;
-    std::vector<uint32_t> inliers = Agreeing(views, *point, options.max_error_sigmas);
+    std::vector<uint32_t> inliers = Agreeing(views, *point, limits.max_error_sigmas);
     if (inliers.size() <= best.inliers.size()) continue;
     best = {*point, std::move(inliers)};
     if (best.inliers.size() == views.size()) break;
@@ -141,9 +141,9 @@ std::optional<TriangulatedPoint> TriangulatePoint(const std::vector<PointView>& 
   const auto refined = Fit(views, best.inliers);
   if (!refined) return std::nullopt;
   best.position = *refined;
-  best.inliers = Agreeing(views, *refined, options.max_error_sigmas);
+  best.inliers = Agreeing(views, *refined, limits.max_error_sigmas);
   if (best.inliers.size() < 2) return std::nullopt;
-  if (WidestAngle(views, best) < options.min_parallax_rad) return std::nullopt;
+  if (WidestAngle(views, best) < limits.min_parallax_rad) return std::nullopt;
   return best;
 }
 
@@ -156,16 +156,16 @@ uint32_t CompleteLandmarks(uint32_t frame, double max_error_sigmas, Session* ses
   return num_completed;
 }
 
-TriangulateReport TriangulateTracks(uint32_t frame, const TriangulateTracksOptions& options,
+TriangulateReport TriangulateTracks(uint32_t frame, const LandmarkLimits& limits,
                                     Session* session) {
   TriangulateReport report;
   for (const TrackId id : session->keyframe(frame).tracks) {
     if (id == 0 || session->landmarks().count(id) == 1) continue;
     const Track& track = session->tracks().at(id);
     if (track.members.size() < 2) continue;
-    if (CreateLandmark(id, track, options, session)) ++report.num_created;
+    if (CreateLandmark(id, track, limits, session)) ++report.num_created;
   }
-  report.num_completed = CompleteLandmarks(frame, options.max_error_sigmas, session);
+  report.num_completed = CompleteLandmarks(frame, limits.max_error_sigmas, session);
   return report;
 }
 

@@ -18,7 +18,7 @@ std::string ErrorOf(const std::string& yaml) {
 
 TEST(LoadDriveTourOptions, SaysWhatIsWrong) {
   EXPECT_EQ(ErrorOf("{}"), "drive_tour.tour = : expected a YAML file of way-points");
-  EXPECT_EQ(ErrorOf("{tour: x, lok: image}"), "drive_tour.lok: unknown option");
+  EXPECT_EQ(ErrorOf("{tour: x, lok: image}"), "drive_tour.lok: unknown key");
   EXPECT_EQ(ErrorOf("{tour: x, look: away}"),
             "drive_tour.look: expected image, frame or nothing, not 'away'");
   EXPECT_EQ(ErrorOf("{tour: x, max_looks: 0}"), "drive_tour.max_looks = 0: expected 1 to 100");

@@ -31,7 +31,7 @@ TEST(LoadDriverOptions, SaysWhatIsWrong) {
   EXPECT_EQ(ErrorOf("{}"),
             "rovio_driver.host = : expected a name or an IPv4 address, without scheme, port or "
             "path");
-  EXPECT_EQ(ErrorOf("{host: rovio, hots: x}"), "rovio_driver.hots: unknown option");
+  EXPECT_EQ(ErrorOf("{host: rovio, hots: x}"), "rovio_driver.hots: unknown key");
   EXPECT_EQ(ErrorOf("{host: rovio, port: many}"), "rovio_driver.port: expected a whole number");
   EXPECT_EQ(ErrorOf("{host: rovio, port: 99999}"),
             "rovio_driver.port = 99999: expected 1 to 65535");

@@ -82,7 +82,7 @@ TEST(LoadOptions, FrontendNodeRefusesToStartWithoutAName) {
 TEST(LoadOptions, FrontendNodeRefusesUnknownParameters) {
   const YAML::Node node = YAML::Load("{frontend: {extract: {typ: orb}}}");
   EXPECT_EQ(ErrorOf([&] { LoadFrontendNodeOptions(node, "/rovio1"); }),
-            "frontend.extract.typ: unknown option");
+            "frontend.extract.typ: unknown key");
 }
 
 TEST(LoadOptions, MappingNodeRefusesOddRobots) {
@@ -101,7 +101,7 @@ TEST(LoadOptions, PlaceRecognitionNodeReadsItsGroups) {
 TEST(LoadOptions, PlaceRecognitionNodeRefusesUnknownParameters) {
   const YAML::Node node = YAML::Load("{places: {verify: {pair: {ratio: 0.7}}}}");
   EXPECT_EQ(ErrorOf([&] { LoadPlaceRecognitionNodeOptions(node); }),
-            "places.verify.pair.ratio: unknown option");
+            "places.verify.pair.ratio: unknown key");
 }
 
 TEST(LoadOptions, MappingNodeReadsItsGroups) {

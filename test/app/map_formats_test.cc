@@ -42,5 +42,11 @@ TEST(ReadFormats, ReadsEveryName) {
   for (const MapFormat format : all) EXPECT_FALSE(MainPathOf(format).empty());
 }
 
+TEST(SourceOf, TellsWhatEachFormatIsWrittenFrom) {
+  EXPECT_EQ(SourceOf(MapFormat::kKitti), FormatSource::kMap);
+  EXPECT_EQ(SourceOf(MapFormat::kNvm), FormatSource::kModel);
+  EXPECT_EQ(SourceOf(MapFormat::kGrid), FormatSource::kFinished);
+}
+
 }  // namespace
 }  // namespace rovio_sfm

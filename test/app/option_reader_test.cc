@@ -43,7 +43,7 @@ TEST(OptionReader, NamesAnUnknownKeyWithItsPath) {
   OptionReader reader(YAML::Load("{inner: {odd: 1}}"), "top");
   OptionReader inner = reader.Group("inner");
   reader.RefuseUnknown();
-  EXPECT_EQ(ErrorOf([&] { inner.RefuseUnknown(); }), "top.inner.odd: unknown option");
+  EXPECT_EQ(ErrorOf([&] { inner.RefuseUnknown(); }), "top.inner.odd: unknown key");
 }
 
 TEST(OptionReader, NamesAFieldOfAnotherType) {
@@ -61,7 +61,7 @@ TEST(OptionReader, RefusesANegativeNumberWhereNoneIsMeant) {
 
 TEST(OptionReader, RefusesAScalarForAGroup) {
   OptionReader reader(YAML::Load("{inner: 3}"), "top");
-  EXPECT_EQ(ErrorOf([&] { reader.Group("inner"); }), "top.inner: expected a group of options");
+  EXPECT_EQ(ErrorOf([&] { reader.Group("inner"); }), "top.inner: expected a mapping");
 }
 
 TEST(OptionReader, MissingGroupIsEmpty) {

@@ -1,12 +1,15 @@
 // Drives through one synthetic world, joined one by one: many_merges [NUM_DRIVES] [NUM_KEYFRAMES].
-// Prints for every merge what it adds to the heap and what it costs the mapper's thread, then how
-// long frames of one more drive take with and without an adjustment of the whole map. Not a test.
+// Prints for every merge a row: what it adds to the heap, and what it costs the mapper's thread
+// (plot_many_merges.py draws them); then how long frames of one more session take with and without
+// an adjustment of the whole map beside them. Not a test.
 #include <malloc.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <future>
 #include <vector>
 
 #include "merging/two_drives.h"
@@ -23,7 +26,20 @@ double ThreadMs() {
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-double HeapKb() { return static_cast<double>(mallinfo2().uordblks) / 1024.0; }
+double HeapKb() {
+  const struct mallinfo2 heap = mallinfo2();
+  return static_cast<double>(heap.uordblks + heap.hblkhd) / 1024.0;
+}
+
+constexpr double kFacing = 0.5;  // cosine of the angle up to which a point keeps its track
+
+// Whether the camera sees the point from its front: as many views as a landmark of a real drive.
+bool IsFacing(const SyntheticWorld& world, uint32_t cam, uint32_t point) {
+  const double azimuth = 2.399963 * point;  // spread evenly
+  const Eigen::Vector3d ahead =
+      Inverse(world.cams_from_map[cam]).rotation * Eigen::Vector3d::UnitZ();
+  return -std::sin(azimuth) * ahead.x() - std::cos(azimuth) * ahead.z() > kFacing;
+}
 
 // Frame i of drive k is camera num_drives * i + k of the world.
 struct ManyDrives {
@@ -39,6 +55,9 @@ struct ManyDrives {
       event.id.drive.robot = "robot" + std::to_string(cam % drives);
       event.id.index = cam / drives;
       event.pairs.clear();
+      for (size_t i = 0; i < event.tracks.size(); ++i) {
+        if (!IsFacing(all.world, cam, all.world.views[cam][i].point)) event.tracks[i] = 0;
+      }
       store.Put(event.id, event.features);
     }
   }
@@ -92,11 +111,19 @@ struct ManyDrives {
   MemoryFrameStore store;
 };
 
-// The frames of the last drive as a live mapper takes them, in wall ms; `beside` starts what runs
-// beside the second half of them.
+// What each of the later frames of the last drive costs a live mapper.
+struct FrameCosts {
+  std::vector<double> wall_ms, cpu_ms;  // rising; cpu: of the mapper's thread
+};
+
+double Percentile(const std::vector<double>& rising, size_t percent) {
+  return rising[rising.size() * percent / 100];
+}
+
+// Maps the last drive as a session of its own; `beside` starts what runs beside its second half.
 template <typename Beside>
-std::vector<double> MapBeside(const ManyDrives& drives, MapKeeper* keeper, Executor* executor,
-                              const Beside& beside) {
+FrameCosts MapBeside(const ManyDrives& drives, MapKeeper* keeper, Executor* executor,
+                     const Beside& beside) {
   MapperContext context;
   context.store = const_cast<MemoryFrameStore*>(&drives.store);
   context.sessions = keeper->LendSessions();
@@ -105,74 +132,89 @@ std::vector<double> MapBeside(const ManyDrives& drives, MapKeeper* keeper, Execu
   context.on_session_closed = [](Session*) {};
   const uint32_t last = drives.num_drives - 1;
   DriveMapper mapper(context, drives.EventIn(last, 0).id.drive, drives.all.world.camera);
-  std::vector<double> costs_ms;
+  FrameCosts costs;
   for (uint32_t i = 0; i < drives.num_keyframes; ++i) {
     FrameEvent event = drives.EventIn(last, i);
     if (i > 0) event.pairs = {drives.PairOf(last, i)};
     if (i == drives.num_keyframes / 2) beside();
     const int64_t start_ns = SteadyNs();
+    const double start_ms = ThreadMs();
     keeper->CountKeyframe();
     mapper.Add(event);
-    if (i > drives.num_keyframes / 2) {
-      costs_ms.push_back(1e-6 * static_cast<double>(SteadyNs() - start_ns));
-    }
+    if (i <= drives.num_keyframes / 2) continue;
+    costs.wall_ms.push_back(1e-6 * static_cast<double>(SteadyNs() - start_ns));
+    costs.cpu_ms.push_back(ThreadMs() - start_ms);
   }
-  std::sort(costs_ms.begin(), costs_ms.end());
-  return costs_ms;
+  std::sort(costs.wall_ms.begin(), costs.wall_ms.end());
+  std::sort(costs.cpu_ms.begin(), costs.cpu_ms.end());
+  return costs;
 }
 
+void PrintCosts(const char* how, const FrameCosts& costs) {
+  std::printf("# frames %s an adjustment: median %.1f ms, p95 %.1f ms; of CPU %.1f and %.1f ms\n",
+              how, Percentile(costs.wall_ms, 50), Percentile(costs.wall_ms, 95),
+              Percentile(costs.cpu_ms, 50), Percentile(costs.cpu_ms, 95));
+}
+
+// The map of all drives, first while nothing is solved, then while it is adjusted.
 void PrintFramesBeside(const ManyDrives& drives) {
-  Executor executor{1};
-  for (int run = 0; run < 5; ++run) {
-    for (const bool is_adjusted : {false, true}) {
-      MapKeeper keeper({}, &drives.store, &executor, ResultTiming::kWhenReady);
-      for (uint32_t k = 0; k + 1 < drives.num_drives; ++k) {
-        keeper.LendSessions()->Adopt(drives.Map(k));
-        if (k > 0) keeper.Add(drives.Overlap(k - 1, k, drives.num_keyframes / 2));
-      }
-      executor.Submit([] {}).wait();
-      keeper.CountKeyframe();
-      const auto adjust = [&] {
-        if (!is_adjusted) return;
-        keeper.Unmerge({drives.num_drives - 1});
-        keeper.Merge({drives.num_drives - 2}, {drives.num_drives - 1}, true);
-      };
-      const std::vector<double> costs_ms = MapBeside(drives, &keeper, &executor, adjust);
-      std::printf("frames %s an adjustment: median %.1f ms, p95 %.1f ms\n",
-                  is_adjusted ? "beside" : "without", costs_ms[costs_ms.size() / 2],
-                  costs_ms[costs_ms.size() * 95 / 100]);
-    }
+  std::promise<void> gate;
+  Executor of_map{1}, of_drive{1};
+  of_map.Submit([](const std::shared_future<void>& opened) { opened.wait(); },
+                gate.get_future().share());
+  MapKeeper keeper({}, &drives.store, &of_map, ResultTiming::kWhenReady);
+  for (uint32_t k = 0; k < drives.num_drives; ++k) {
+    keeper.LendSessions()->Adopt(drives.Map(k));
+    if (k > 0) keeper.Add(drives.Overlap(k - 1, k, drives.num_keyframes / 2));
   }
+  PrintCosts("without", MapBeside(drives, &keeper, &of_drive, [] {}));
+  PrintCosts("beside", MapBeside(drives, &keeper, &of_drive, [&] { gate.set_value(); }));
+}
+
+// What sessions keep so that merges can be undone.
+double JournalKb(const SessionTable& sessions) {
+  size_t count = 0;
+  for (const auto& [id, session] : sessions.all()) count += session->NumJournalBytes();
+  return static_cast<double>(count) / 1024.0;
 }
 
 void JoinOneByOne(const ManyDrives& drives) {
   const double before_kb = HeapKb();
-  Executor executor{0};  // solves in place: the adjustment is measured apart
-  MapKeeper keeper({}, &drives.store, &executor, ResultTiming::kFixed);
+  StageTimes times([] { return static_cast<int64_t>(1e6 * ThreadMs()); });
+  const auto adjust_ms = [&times] {
+    return 1e-6 * static_cast<double>(times.totals()["adjust_map"].total_ns);
+  };
+  Executor executor{1};
+  MapOptions options;  // solves little, in small windows: everything moves, which is what is kept
+  options.adjust.running_max_iterations = 2;
+  options.adjust.max_global_frames = 100;
+  MapKeeper keeper(options, &drives.store, &executor, ResultTiming::kFixed, &times);
   for (uint32_t k = 0; k < drives.num_drives; ++k) keeper.LendSessions()->Adopt(drives.Map(k));
   const double unmerged_kb = HeapKb() - before_kb;
   const Session& first = *keeper.sessions().Find({1});
+  std::printf("# %u drives of %u keyframes, %zu features a frame, %zu landmarks a session\n",
+              drives.num_drives, drives.num_keyframes, first.keyframe(0).points.size(),
+              first.landmarks().size());
   std::printf(
-      "%u drives of %u keyframes unmerged: %.0f kB in sessions, %.0f with features; %zu "
-      "features in a frame, %zu landmarks in a session\n",
-      drives.num_drives, drives.num_keyframes, unmerged_kb, HeapKb(),
-      first.keyframe(0).points.size(), first.landmarks().size());
+      "merge,keyframes,unmerged_kb,added_kb,journal_kb,merge_ms,adjust_ms,solve_s,verdict\n");
   double touched = 0.0;  // keyframes, summed over merges
   for (uint32_t k = 1; k < drives.num_drives; ++k) {
-    const double start_kb = HeapKb(), start_ms = ThreadMs();
+    const double start_ms = ThreadMs(), start_adjust_ms = adjust_ms();
+    const int64_t start_ns = SteadyNs();
     keeper.Add(drives.Overlap(k - 1, k, drives.num_keyframes / 2));
-    const double merged_ms = ThreadMs();
+    const double merge_ms = ThreadMs() - start_ms - (adjust_ms() - start_adjust_ms);
     for (int i = 0; i < ResultDelay(size_t{drives.num_drives} * drives.num_keyframes); ++i) {
       keeper.CountKeyframe();
     }
-    const double keyframes = (k + 1.0) * drives.num_keyframes;
+    const uint32_t keyframes = (k + 1) * drives.num_keyframes;
     touched += keyframes;
-    std::printf("merge %2u: %s, %.2f kB a keyframe, %.0f ms with solving, applying %.0f ms\n", k,
-                ToString(keeper.Reports().back().verdict), (HeapKb() - start_kb) / keyframes,
-                merged_ms - start_ms, ThreadMs() - merged_ms);
+    std::printf("%u,%u,%.0f,%.0f,%.0f,%.1f,%.1f,%.1f,%s\n", k, keyframes, unmerged_kb,
+                HeapKb() - before_kb - unmerged_kb, JournalKb(keeper.sessions()), merge_ms,
+                adjust_ms() - start_adjust_ms, 1e-9 * static_cast<double>(SteadyNs() - start_ns),
+                ToString(keeper.Reports().back().verdict));
   }
   const double added_kb = HeapKb() - before_kb - unmerged_kb;
-  std::printf("all merges: %.2f kB a keyframe and merge, %.1f %% of the unmerged sessions\n",
+  std::printf("# all merges: %.2f kB a keyframe and merge, %.1f %% of the unmerged sessions\n",
               added_kb / touched, 100.0 * added_kb / unmerged_kb);
 }
 
@@ -183,8 +225,9 @@ int main(int argc, char** argv) {
   const auto number = [&](int i, unsigned long fallback) {
     return static_cast<uint32_t>(argc > i ? std::strtoul(argv[i], nullptr, 10) : fallback);
   };
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   const rovio_sfm::ManyDrives drives(number(1, 30), number(2, 40));
   rovio_sfm::JoinOneByOne(drives);
-  rovio_sfm::PrintFramesBeside(drives);
+  for (int run = 0; run < 5; ++run) rovio_sfm::PrintFramesBeside(drives);
   return 0;
 }

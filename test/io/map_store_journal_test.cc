@@ -58,7 +58,8 @@ TEST(MapStoreJournal, RefusesSpoiltBytesWithTheColumnNamed) {
   epoch.poses.resize(1);
   epoch.light_poses.resize(1);
   epoch.members.resize(1);
-  epoch.positions.resize(1);
+  epoch.positions = {};
+  epoch.positions.Add(7, {1.0, 2.0, 3.0});
   epoch.landmarks.resize(1);
   epoch.keyframes.resize(1);
   epoch.light_frames.resize(1);

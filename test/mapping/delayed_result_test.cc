@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <optional>
+
 namespace rovio_sfm {
 namespace {
 
@@ -25,6 +28,23 @@ TEST(DelayedResult, LiveItIsDueOnceItIsReadyHoweverManyKeyframesCame) {
   EXPECT_FALSE(result.IsDue());
   promise.set_value(7);
   EXPECT_TRUE(result.IsDue());
+}
+
+TEST(DelayedResult, IsGivenUpOnceNobodyHoldsIt) {
+  const auto start = [](Wait wait) {
+    return DelayedResult<int>(std::promise<int>().get_future(), 0, ResultTiming::kFixed,
+                              std::move(wait));
+  };
+  std::optional<Wait> wait(std::in_place);
+  const std::function<bool()> is_given_up = wait->IsGivenUp();
+  auto result = std::make_unique<DelayedResult<int>>(start(*wait));
+  wait.reset();
+  EXPECT_FALSE(is_given_up());
+  auto moved = std::make_unique<DelayedResult<int>>(std::move(*result));
+  result.reset();
+  EXPECT_FALSE(is_given_up());
+  moved.reset();
+  EXPECT_TRUE(is_given_up());
 }
 
 TEST(DelayedResult, LargerProblemsHaveMoreTime) {

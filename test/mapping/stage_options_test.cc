@@ -7,15 +7,15 @@
 namespace rovio_sfm {
 namespace {
 
-TEST(StageOptions, TurnPixelsIntoSigmasAndDegreesIntoRadians) {
+TEST(LandmarkLimits, TurnPixelsIntoSigmasAndDegreesIntoRadians) {
   MapperOptions options;
   options.pixel_sigma_px = 2.0;
   options.triangulate = {3.0, 5.0};
   options.prune.max_error_px = 8.0;
-  EXPECT_DOUBLE_EQ(TriangulateOptionsOf(options).min_parallax_rad, M_PI / 60.0);
-  EXPECT_DOUBLE_EQ(TriangulateOptionsOf(options).max_error_sigmas, 2.5);
-  EXPECT_DOUBLE_EQ(PruneOptionsOf(options).min_parallax_rad, M_PI / 60.0);
-  EXPECT_DOUBLE_EQ(PruneOptionsOf(options).max_error_sigmas, 4.0);
+  EXPECT_DOUBLE_EQ(TriangulationLimits(options).min_parallax_rad, M_PI / 60.0);
+  EXPECT_DOUBLE_EQ(TriangulationLimits(options).max_error_sigmas, 2.5);
+  EXPECT_DOUBLE_EQ(PruningLimits(options).min_parallax_rad, M_PI / 60.0);
+  EXPECT_DOUBLE_EQ(PruningLimits(options).max_error_sigmas, 4.0);
 }
 
 }  // namespace

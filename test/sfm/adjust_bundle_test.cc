@@ -32,6 +32,23 @@ TEST(AdjustBundle, RecoversTheScaleToo_WithTwoFixedCameras) {
   }
 }
 
+TEST(AdjustBundle, ChangesNothingOnceItIsGivenUp) {
+  const SyntheticWorld world = MakeWorld(0.0);
+  BundleProblem problem = MakeProblem(world);
+  Disturb(&problem, 1);
+  const BundleProblem before = problem;
+  for (const int wanted : {0, 1, 3}) {  // times that it is asked
+    int num_asked = 0;
+    BundleOptions options = kExact;
+    options.is_given_up = [&] { return ++num_asked > wanted; };
+    EXPECT_FALSE(AdjustBundle(&problem, options).usable);
+    EXPECT_EQ(num_asked, wanted + 1);
+    EXPECT_EQ(problem.points, before.points);
+    EXPECT_EQ(problem.cameras[3].cam_from_map.translation,
+              before.cameras[3].cam_from_map.translation);
+  }
+}
+
 TEST(AdjustBundle, HoldsTheGaugeByTheFirstCameraAndOneComponent) {
   const SyntheticWorld world = MakeWorld(0.5);
   BundleProblem problem = MakeProblem(world);

@@ -29,7 +29,7 @@ TrackId LandmarkWithViews(const Session& session, size_t num_views) {
   return 0;
 }
 
-constexpr PruneLandmarksOptions kNoParallax{4.0, 0.0};
+constexpr LandmarkLimits kNoParallax{0.0, 4.0};
 
 TEST(PruneLandmarks, LeavesATrueMapAlone) {
   Session session = MakeMappedSession(MakeWorld(0.0));
@@ -85,11 +85,11 @@ TEST(PruneLandmarks, RemovesLandmarksBehindTheirCamerasAndNotFiniteOnes) {
 TEST(PruneLandmarks, RemovesLandmarksWithoutParallax) {
   Session session = MakeMappedSession(MakeWorld(0.0));
   const size_t count = session.landmarks().size();
-  const PruneReport some = PruneAllLandmarks({4.0, 0.1}, &session);
+  const PruneReport some = PruneAllLandmarks({0.1, 4.0}, &session);
   EXPECT_GT(some.num_landmarks, 0u);
   EXPECT_LT(some.num_landmarks, count);
   EXPECT_EQ(session.landmarks().size(), count - some.num_landmarks);
-  EXPECT_EQ(PruneAllLandmarks({4.0, 3.1}, &session).num_landmarks, count - some.num_landmarks);
+  EXPECT_EQ(PruneAllLandmarks({3.1, 4.0}, &session).num_landmarks, count - some.num_landmarks);
   EXPECT_TRUE(session.landmarks().empty());
 }
 

@@ -10,7 +10,7 @@
 
 namespace rovio_sfm {
 
-inline constexpr BundleOptions kExact{50, 1.0, 1e-14};
+inline const BundleOptions kExact{50, 1.0, 1e-14};
 
 // Cameras on a circle round the points.
 inline SyntheticWorld MakeWorld(double noise_px, int num_cams = 6) {

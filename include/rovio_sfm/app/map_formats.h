@@ -32,8 +32,13 @@ std::string FormatNames();
 // std::runtime_error that names what is not known.
 MapFormats ReadFormats(const std::string& names);
 
-// True where the format needs cameras, features and points (MapModel), not just poses or points.
-bool NeedsModel(MapFormat format);
+// What a format is written from.
+enum class FormatSource {
+  kMap,      // poses or points
+  kModel,    // cameras, features and points (MapModel)
+  kFinished  // what is made of the model: dense cloud, surface, grid, page
+};
+FormatSource SourceOf(MapFormat format);
 // True where making it takes long: it waits for the final map.
 bool TakesLong(MapFormat format);
 // The file or folder that is always there once a map was written so.

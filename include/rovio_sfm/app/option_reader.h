@@ -1,17 +1,16 @@
 #pragma once
 
-#include <yaml-cpp/yaml.h>
-
 #include <cstdint>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
+#include "rovio_sfm/util/yaml_map.h"
+
 namespace rovio_sfm {
 
-// Reads one group of options from YAML: fields that are missing keep their defaults; a field of
-// another type, or a key nobody asked for, throws std::runtime_error that names it.
+// Reads one group of options from YAML (YamlMap) and keeps what is in effect: fields that are
+// missing keep their defaults.
 class OptionReader {
  public:
   // A null node is an empty group. `path` names the group in messages, e.g. "mapper".
@@ -43,23 +42,23 @@ class OptionReader {
   OptionReader Group(const std::string& name);
 
   // Names the first key that was not read.
-  void RefuseUnknown() const;
+  void RefuseUnknown() const { map_.RefuseUnknownKeys(); }
 
   // "path.name = value" of everything read so far, groups included, in the order read.
   const std::vector<std::string>& Effective() const { return *effective_; }
 
   // Throws with "path.name: reason".
-  [[noreturn]] void Fail(const std::string& name, const std::string& reason) const;
+  [[noreturn]] void Fail(const std::string& name, const std::string& reason) const {
+    map_.Fail(name, reason);
+  }
 
  private:
   template <typename T>
   void ReadScalar(const std::string& name, const std::string& expected, T* value);
 
-  std::string PathOf(const std::string& name) const;
+  explicit OptionReader(YamlMap map);
 
-  YAML::Node node_;
-  std::string path_;
-  std::set<std::string> known_;
+  YamlMap map_;
   std::shared_ptr<std::vector<std::string>> effective_;  // shared with the groups below
 };
 

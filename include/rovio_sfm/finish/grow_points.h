@@ -14,8 +14,8 @@ namespace rovio_sfm {
 // As strict as mapping is (config/mapping.yaml: noise, triangulate, prune), in parallax stricter.
 struct GrowOptions {
   FeatureNoise noise;
-  TriangulateTracksOptions triangulate = {0.044, 4.0};  // 2.5 deg, 4 sigma
-  size_t min_views = 2;                                 // of an added point
+  LandmarkLimits triangulate = {0.044, 4.0};  // 2.5 deg, 4 sigma
+  size_t min_views = 2;                       // of an added point
   BundleOptions adjust;
   double max_error_sigmas = 4.0;  // tau_r: a worse view goes after the adjustment
 };

@@ -2,7 +2,9 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <future>
+#include <memory>
 #include <utility>
 
 #include "rovio_sfm/util/stage_times.h"
@@ -19,12 +21,27 @@ enum class ResultTiming {
 // to wait.
 inline int ResultDelay(size_t num_frames) { return 2 + static_cast<int>(num_frames / 40); }
 
-// A result that is worked out beside the flow.
+// Somebody waits for a result: as long as this or a copy of it lives.
+class Wait {
+ public:
+  // For the task, on any thread.
+  std::function<bool()> IsGivenUp() const {
+    return [life = std::weak_ptr<const bool>(life_)] { return life.expired(); };
+  }
+
+ private:
+  std::shared_ptr<const bool> life_ = std::make_shared<const bool>(true);
+};
+
+// A result that is worked out beside the flow; it is given up where this ends without taking it.
 template <typename Result>
 class DelayedResult {
  public:
-  DelayedResult(std::future<Result> result, size_t num_frames, ResultTiming timing)
-      : result_(std::move(result)), num_left_(ResultDelay(num_frames)), timing_(timing) {}
+  DelayedResult(std::future<Result> result, size_t num_frames, ResultTiming timing, Wait wait = {})
+      : wait_(std::move(wait)),
+        result_(std::move(result)),
+        num_left_(ResultDelay(num_frames)),
+        timing_(timing) {}
 
   void CountKeyframe() { --num_left_; }
   bool IsReady() const {
@@ -39,6 +56,7 @@ class DelayedResult {
   }
 
  private:
+  Wait wait_;
   std::future<Result> result_;
   int num_left_;  // keyframes
   ResultTiming timing_;

@@ -75,12 +75,12 @@ class DriveMapper {
   void InsertHeld(const FrameEvent& event);
   void AddKeyframe(const FrameEvent& event, MapperReport* report);
   std::optional<Registration> Resect(const FrameEvent& event, MapperReport* report);
-  void GrowMap(uint32_t frame, MapperReport* report);
+  MapGrowth GrowMap(uint32_t frame);
   void AddWeak(const FrameEvent& event, MapperReport* report);
   void RetryWeakFrames(int max_tries);
   void DropKeyframe(uint32_t index);
   void LoseSession(MapperReport* report);
-  void AddLight(const FrameEvent& event, MapperReport* report);
+  MapperOutcome AddLight(const FrameEvent& event);
   void PoseWaitingLightFrames();
   void OpenSession();
   void CloseSession(SessionState state);

@@ -17,16 +17,21 @@ enum class MapperOutcome : uint8_t {
   kRefused = 5,   // did not fit its drive; see the reason
 };
 
+// What a keyframe brought to its session.
+struct MapGrowth {
+  uint32_t num_created = 0;  // landmarks
+  uint32_t num_found = 0;    // observations added by searching
+  uint32_t num_united = 0;   // landmarks
+  uint32_t num_pruned = 0;   // observations
+};
+
 struct MapperReport {
   MapperOutcome outcome = MapperOutcome::kHeld;
   std::string reason;  // of a refusal
   SessionId session;
   uint32_t num_matches = 0;  // features whose track has a landmark
   uint32_t num_inliers = 0;  // of them, in the resection
-  uint32_t num_created = 0;  // landmarks
-  uint32_t num_found = 0;    // observations added by searching
-  uint32_t num_united = 0;   // landmarks
-  uint32_t num_pruned = 0;   // observations
+  MapGrowth growth;          // by this frame itself
 };
 
 }  // namespace rovio_sfm

@@ -6,8 +6,8 @@
 
 namespace rovio_sfm {
 
-// The options of single stages, as the mapper's say: pixels become sigmas, degrees radians.
-TriangulateTracksOptions TriangulateOptionsOf(const MapperOptions& options);
-PruneLandmarksOptions PruneOptionsOf(const MapperOptions& options);
+// What the mapper's options say of landmarks: pixels become sigmas, degrees radians.
+LandmarkLimits TriangulationLimits(const MapperOptions& options);
+LandmarkLimits PruningLimits(const MapperOptions& options);
 
 }  // namespace rovio_sfm

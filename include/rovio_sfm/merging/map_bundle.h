@@ -46,6 +46,7 @@ class MapBundle {
   void Apply() const;
   // The landmarks that are one point with others.
   SharedLandmarks FindShared() const;
+  size_t num_observations() const { return problem_.observations.size(); }
 
  private:
   // The parts of the problem that stand for one session.

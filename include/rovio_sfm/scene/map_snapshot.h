@@ -1,5 +1,6 @@
 #pragma once
 
+#include <boost/container/flat_map.hpp>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -73,7 +74,7 @@ struct SessionSnapshot {
 };
 
 // The landmarks that links join, each with a number: those with the same one are one point.
-using SharedLandmarks = std::map<std::pair<SessionId, TrackId>, uint32_t>;
+using SharedLandmarks = boost::container::flat_map<std::pair<SessionId, TrackId>, uint32_t>;
 
 // An immutable picture of all maps at one moment.
 struct MapSnapshot {

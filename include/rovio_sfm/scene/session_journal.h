@@ -11,6 +11,7 @@
 #include "rovio_sfm/scene/ids.h"
 #include "rovio_sfm/scene/map_snapshot.h"
 #include "rovio_sfm/scene/session_parts.h"
+#include "rovio_sfm/scene/track_positions.h"
 
 namespace rovio_sfm {
 
@@ -43,7 +44,7 @@ struct SessionEpoch {
   std::vector<PoseBefore> poses;
   std::vector<LightPoseBefore> light_poses;
   std::vector<MemberBefore> members;
-  std::vector<std::pair<TrackId, Eigen::Vector3d>> positions;
+  TrackPositions positions;
   Parts<TrackId, Landmark> landmarks;        // those whose observations changed, or that went
   Parts<uint32_t, Keyframe> keyframes;       // those that went
   Parts<uint32_t, LightFrame> light_frames;  // those that went, or were replaced

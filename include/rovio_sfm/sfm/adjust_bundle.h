@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct BundleOptions {
   int max_iterations = 10;
   double loss_sigmas = 1.0;  // scale of the Cauchy loss in residuals of one sigma; 0: squared error
   double function_tolerance = 1e-5;  // stops where a step lowers the cost by a smaller share
+  std::function<bool()> is_given_up = nullptr;  // asked at each iteration: nobody waits any more
 };
 
 struct BundleReport {

@@ -4,25 +4,21 @@
 #include <vector>
 
 #include "rovio_sfm/scene/session.h"
+#include "rovio_sfm/sfm/landmark_limits.h"
 
 namespace rovio_sfm {
-
-struct PruneLandmarksOptions {
-  double max_error_sigmas = 4.0;    // tau_r (§3.8): a worse observation goes
-  double min_parallax_rad = 0.026;  // a landmark whose views lie closer goes
-};
 
 struct PruneReport {
   uint32_t num_observations = 0;  // removed, with those of removed landmarks
   uint32_t num_landmarks = 0;     // removed
 };
 
-// Removes observations with a large reprojection error or behind their camera, then landmarks that
-// are left with fewer than two views or with too little parallax; of the given tracks (those
-// without a landmark are passed over), or of all.
-PruneReport PruneLandmarks(const std::vector<TrackId>& tracks, const PruneLandmarksOptions& options,
+// Removes observations with a larger reprojection error (tau_r, §3.8) or behind their camera, then
+// landmarks that are left with fewer than two views or with too little parallax; of the given
+// tracks (those without a landmark are passed over), or of all.
+PruneReport PruneLandmarks(const std::vector<TrackId>& tracks, const LandmarkLimits& limits,
                            Session* session);
-PruneReport PruneAllLandmarks(const PruneLandmarksOptions& options, Session* session);
+PruneReport PruneAllLandmarks(const LandmarkLimits& limits, Session* session);
 
 // The robust spread of the reprojection errors, in sigmas: 1.4826 times the median of the
 // residuals' components. Zero for a session without landmarks.

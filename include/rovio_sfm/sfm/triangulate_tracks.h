@@ -7,13 +7,9 @@
 
 #include "rovio_sfm/geometry/rigid3.h"
 #include "rovio_sfm/scene/session.h"
+#include "rovio_sfm/sfm/landmark_limits.h"
 
 namespace rovio_sfm {
-
-struct TriangulateTracksOptions {
-  double min_parallax_rad = 0.026;  // between the two views that see the point widest apart
-  double max_error_sigmas = 3.0;    // reprojection error of a view that takes part
-};
 
 // A view of a point: where and how well it is seen.
 struct PointView {
@@ -31,7 +27,7 @@ struct TriangulatedPoint {
 // Linear-Eigen over the agreeing views (A.6.1) and Gauss-Newton. A bad view costs the view, not the
 // point. Nothing where no two views agree, the parallax is small, or the point is behind a view.
 std::optional<TriangulatedPoint> TriangulatePoint(const std::vector<PointView>& views,
-                                                  const TriangulateTracksOptions& options);
+                                                  const LandmarkLimits& limits);
 
 struct TriangulateReport {
   uint32_t num_created = 0;    // new landmarks
@@ -43,7 +39,6 @@ uint32_t CompleteLandmarks(uint32_t frame, double max_error_sigmas, Session* ses
 
 // Gives landmarks to the frame's tracks that have none and can be triangulated from frames that are
 // not weak, then completes all of the frame's landmarks.
-TriangulateReport TriangulateTracks(uint32_t frame, const TriangulateTracksOptions& options,
-                                    Session* session);
+TriangulateReport TriangulateTracks(uint32_t frame, const LandmarkLimits& limits, Session* session);
 
 }  // namespace rovio_sfm

@@ -5,10 +5,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "rovio_sfm/sim/world/yaml_map.h"
 #include "rovio_sfm/util/degrees.h"
 #include "rovio_sfm/util/option_checker.h"
 #include "rovio_sfm/util/rng.h"
+#include "rovio_sfm/util/yaml_map.h"
 
 namespace rovio_sfm::sim {
 namespace {
@@ -84,7 +84,7 @@ bool TourSpec::IsValid(std::string* error) const {
 
 TourSpec ParseTour(const std::string& yaml, const std::string& source) {
   try {
-    YamlMap map(YAML::Load(yaml), source);
+    YamlMap map(YAML::Load(yaml), source, ": ");
     TourSpec tour;
     tour.name = map.Text("name");
     tour.world = map.Text("world");

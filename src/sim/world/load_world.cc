@@ -4,7 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "rovio_sfm/sim/world/yaml_map.h"
+#include "rovio_sfm/sim/world/read_placement.h"
 
 namespace rovio_sfm::sim {
 namespace {
@@ -40,7 +40,7 @@ TextureSpec ReadTexture(YamlMap map, uint64_t world_seed, size_t index) {
 
 LightSpec ReadLight(YamlMap map) {
   LightSpec spec;
-  spec.world_from_light = map.Placement();
+  spec.world_from_light = ReadPlacement(&map);
   const std::vector<double> size_m = map.Numbers("size_m", 2);
   spec.size_m = {size_m[0], size_m[1]};
   spec.radiance = map.Number("radiance");
@@ -65,14 +65,14 @@ void ReadShape(YamlMap* map, PartSpec* part) {
     const std::vector<double> size_m = map->Numbers("size_m", 2);
     part->size_m = {1.0, size_m[0], size_m[1]};
   } else {
-    throw std::runtime_error(map->where() + ": shape: expected box, lathe or panel");
+    map->Fail("shape", "expected box, lathe or panel");
   }
 }
 
 PartSpec ReadPart(YamlMap map) {
   PartSpec part;
   ReadShape(&map, &part);
-  part.object_from_part = map.Placement();
+  part.object_from_part = ReadPlacement(&map);
   part.texture = map.Text("texture");
   part.mirror = map.Number("mirror", part.mirror);
   part.gloss = map.Number("gloss", part.gloss);
@@ -86,7 +86,7 @@ ObjectSpec ReadObject(YamlMap map) {
   object.name = map.Text("name");
   for (const YamlMap& part : map.List("parts")) object.parts.push_back(ReadPart(part));
   for (YamlMap& placement : map.List("placements")) {
-    object.world_from_object.push_back(placement.Placement());
+    object.world_from_object.push_back(ReadPlacement(&placement));
     placement.RefuseUnknownKeys();
   }
   map.RefuseUnknownKeys();
@@ -98,7 +98,7 @@ ObjectSpec ReadObject(YamlMap map) {
 WorldSpec ParseWorld(const std::string& yaml, const std::string& source) {
   if (yaml.size() > kMaxFileBytes) throw std::runtime_error(source + ": larger than 4 MiB");
   try {
-    YamlMap map(YAML::Load(yaml), source);
+    YamlMap map(YAML::Load(yaml), source, ": ");
     WorldSpec world;
     world.name = map.Text("name");
     world.seed = map.Seed("seed", 0);

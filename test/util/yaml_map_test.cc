@@ -1,11 +1,11 @@
-#include "rovio_sfm/sim/world/yaml_map.h"
+#include "rovio_sfm/util/yaml_map.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <stdexcept>
 
-namespace rovio_sfm::sim {
+namespace rovio_sfm {
 namespace {
 
 YamlMap Map(const std::string& yaml) { return YamlMap(YAML::Load(yaml), "here"); }
@@ -29,11 +29,11 @@ TEST(YamlMap, ReadsNumbersTextsAndLists) {
 }
 
 TEST(YamlMap, NamesTheMissingKey) {
-  EXPECT_EQ(MessageOf([] { Map("{a: 1}").Number("b"); }), "here: key b is missing");
+  EXPECT_EQ(MessageOf([] { Map("{a: 1}").Number("b"); }), "here.b: missing");
 }
 
 TEST(YamlMap, NamesTheUnknownKey) {
-  EXPECT_EQ(MessageOf([] { Map("{a: 1}").RefuseUnknownKeys(); }), "here: unknown key a");
+  EXPECT_EQ(MessageOf([] { Map("{a: 1}").RefuseUnknownKeys(); }), "here.a: unknown key");
 }
 
 TEST(YamlMap, RefusesWhatIsNoFiniteNumber) {
@@ -43,14 +43,24 @@ TEST(YamlMap, RefusesWhatIsNoFiniteNumber) {
 }
 
 TEST(YamlMap, RefusesAKeyThatStandsTwice) {
-  EXPECT_NE(MessageOf([] { Map("{a: 1, a: 2}"); }), "");
+  EXPECT_EQ(MessageOf([] { Map("{a: 1, a: 2}"); }), "here.a: stands twice");
 }
 
-TEST(YamlMap, TurnsAPlacementByYaw) {
-  const Rigid3 placement = Map("{at_m: [1, 2, 3], yaw_deg: 90}").Placement();
-  const Eigen::Vector3d moved = placement * Eigen::Vector3d(1, 0, 0);
-  EXPECT_NEAR((moved - Eigen::Vector3d(1, 3, 3)).norm(), 0.0, 1e-12);
+TEST(YamlMap, TellsWhereAFaultLies) {
+  YamlMap file(YAML::Load("{d: [{e: 1}, {e: x, f: 2}], g: {h: 1}, i: 3}"), "file", ": ");
+  YamlMap item = file.List("d")[1];
+  EXPECT_EQ(MessageOf([&] { item.Number("e"); }), "file: d[1].e: expected a number");
+  EXPECT_EQ(MessageOf([&] { item.RefuseUnknownKeys(); }), "file: d[1].f: unknown key");
+  EXPECT_EQ(MessageOf([&] { file.Group("g").Text("k"); }), "file: g.k: missing");
+  EXPECT_EQ(MessageOf([&] { file.Group("i"); }), "file: i: expected a mapping");
+}
+
+TEST(YamlMap, IsEmptyWithoutANode) {
+  YamlMap map(YAML::Node(), "here");
+  EXPECT_FALSE(map.Has("a"));
+  EXPECT_EQ(map.Number("a", 2.0), 2.0);
+  EXPECT_NO_THROW(map.Group("b").RefuseUnknownKeys());
 }
 
 }  // namespace
-}  // namespace rovio_sfm::sim
+}  // namespace rovio_sfm
