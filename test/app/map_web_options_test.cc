@@ -26,7 +26,7 @@ TEST(LoadMapWebOptions, ShowsToThisMachineOnlyByDefault) {
 
 TEST(LoadMapWebOptions, SaysWhatIsWrong) {
   EXPECT_EQ(ErrorOf("{port: 65536}"), "map_web.port = 65536: expected 0 to 65535");
-  EXPECT_EQ(ErrorOf("{prot: 80}"), "map_web.prot: unknown option");
+  EXPECT_EQ(ErrorOf("{prot: 80}"), "map_web.prot: unknown key");
   EXPECT_EQ(ErrorOf("{token: short}"),
             "map_web.token = short: expected 16 characters or more, or none");
   EXPECT_EQ(ErrorOf("{image: ''}"), "map_web.image = : expected the name of a topic");
