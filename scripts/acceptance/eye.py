@@ -17,7 +17,7 @@ LATER_PARTS = re.compile(
     r"|merging/(localizer|map_keeper_store)|dense/|finish/|surface/|sim/tour/sample_surface"
     r"|app/(map_formats|map_products|store_folder|write_model_files|finish_map|write_page|web_|map_web|live_|thumbnail)"
     r"|report/(collect_model|name_pictures|drive_names|page_data)"
-    r"|ros/(map_store_files|map_web|web_server|live_|mapping_control|finish_actions|map_finisher|product_|kept_pictures"
+    r"|ros/(map_store_files|map_web|web_server|live_|mapping_control|finish_actions|map_finisher|product_"
     r"|taken_map|export_folder))\w*\.cc$|srv/(Load|Save)Map|action/|(Densify|ReconstructSurface)\w*\.msg")
 MIN_COLOURED_SHARE = 0.005
 ROBOTS = "north,south,east,west"

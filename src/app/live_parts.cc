@@ -3,15 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "rovio_sfm/util/text_ends.h"
+
 namespace rovio_sfm {
-namespace {
-
-bool BeginsWith(const std::string& name, const std::string& prefix) {
-  return name.compare(0, prefix.size(), prefix) == 0;
-}
-
-}  // namespace
-
 void LiveParts::Set(const std::string& name, std::string bytes) {
   auto fresh = std::make_shared<const std::string>(std::move(bytes));
   const MutexLock lock(mutex_);
@@ -29,7 +23,7 @@ void LiveParts::Erase(const std::string& name) {
 void LiveParts::EraseAll(const std::string& prefix) {
   const MutexLock lock(mutex_);
   for (auto part = parts_.lower_bound(prefix);
-       part != parts_.end() && BeginsWith(part->first, prefix); part = parts_.erase(part)) {
+       part != parts_.end() && StartsWith(part->first, prefix); part = parts_.erase(part)) {
     gone_[part->first] = ++revision_;
   }
 }
@@ -47,12 +41,12 @@ std::optional<LiveChanges> LiveParts::ChangesSince(uint64_t revision,
   const MutexLock lock(mutex_);
   changes.revision = revision_;
   for (auto part = parts_.lower_bound(prefix);
-       part != parts_.end() && BeginsWith(part->first, prefix); ++part) {
+       part != parts_.end() && StartsWith(part->first, prefix); ++part) {
     changes.names.push_back(part->first);
     if (part->second.revision > revision) changes.changed.insert(*part);
   }
   const bool has_lost = std::any_of(gone_.begin(), gone_.end(), [&](const auto& gone) {
-    return gone.second > revision && BeginsWith(gone.first, prefix);
+    return gone.second > revision && StartsWith(gone.first, prefix);
   });
   if (changes.changed.empty() && !has_lost) return std::nullopt;
   return changes;

@@ -13,6 +13,7 @@ struct FormatRow {
   const char* name;
   const char* main_path;
   FormatSource source;
+  bool takes_long = false;
 };
 
 constexpr std::array<FormatRow, 13> kFormats = {{
@@ -24,9 +25,9 @@ constexpr std::array<FormatRow, 13> kFormats = {{
     {MapFormat::kColmapText, "colmap_text", "colmap_text", FormatSource::kModel},
     {MapFormat::kBundler, "bundler", "bundler", FormatSource::kModel},
     {MapFormat::kNvm, "nvm", "nvm", FormatSource::kModel},
-    {MapFormat::kDensified, "densified", "densified.ply", FormatSource::kFinished},
-    {MapFormat::kDense, "dense", "dense.ply", FormatSource::kFinished},
-    {MapFormat::kMesh, "mesh", "mesh.ply", FormatSource::kFinished},
+    {MapFormat::kDensified, "densified", "densified.ply", FormatSource::kFinished, true},
+    {MapFormat::kDense, "dense", "dense.ply", FormatSource::kFinished, true},
+    {MapFormat::kMesh, "mesh", "mesh.ply", FormatSource::kFinished, true},
     {MapFormat::kReport, "report", "report.html", FormatSource::kFinished},
     {MapFormat::kGrid, "grid", "map.yaml", FormatSource::kFinished},
 }};
@@ -63,10 +64,7 @@ MapFormats ReadFormats(const std::string& names) {
 
 FormatSource SourceOf(MapFormat format) { return RowOf(format).source; }
 
-bool TakesLong(MapFormat format) {
-  return format == MapFormat::kDensified || format == MapFormat::kDense ||
-         format == MapFormat::kMesh;
-}
+bool TakesLong(MapFormat format) { return RowOf(format).takes_long; }
 
 std::string MainPathOf(MapFormat format) { return RowOf(format).main_path; }
 

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "rovio_sfm/util/text_ends.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -14,10 +16,6 @@ constexpr char kApi[] = "/api/";
 constexpr char kScene[] = "scene/";
 constexpr char kCameraPath[] = "/api/camera/", kCameraEnd[] = ".jpg";
 constexpr char kJson[] = "application/json";
-
-bool BeginsWith(const std::string& text, const std::string& begin) {
-  return text.compare(0, begin.size(), begin) == 0;
-}
 
 WebAnswer Refuse(int status, const std::string& reason) {
   return {status, "text/plain; charset=utf-8", std::make_shared<const std::string>(reason + "\n"),
@@ -68,8 +66,8 @@ WebAnswer WebRouter::AnswerGet(const WebRequest& request) const {
   if (request.path == "/api/status") return AnswerPart("status", kJson, request);
   if (request.path == "/api/cloud") return AnswerPart("cloud", kJson, request);
   if (request.path == "/api/paths") return AnswerScene(request);
-  if (BeginsWith(request.path, kCameraPath)) return AnswerCamera(request);
-  if (BeginsWith(request.path, kApi) && IsOrder(request.path.substr(sizeof(kApi) - 1))) {
+  if (StartsWith(request.path, kCameraPath)) return AnswerCamera(request);
+  if (StartsWith(request.path, kApi) && IsOrder(request.path.substr(sizeof(kApi) - 1))) {
     return Refuse(405, "method 'GET': expected POST, this changes the map");
   }
   return Refuse(404,
@@ -79,7 +77,7 @@ WebAnswer WebRouter::AnswerGet(const WebRequest& request) const {
 
 WebAnswer WebRouter::AnswerPost(const WebRequest& request) {
   const std::string service =
-      BeginsWith(request.path, kApi) ? request.path.substr(sizeof(kApi) - 1) : "";
+      StartsWith(request.path, kApi) ? request.path.substr(sizeof(kApi) - 1) : "";
   if (!IsOrder(service)) return Refuse(404, "no such service: expected one of " + OrderNames());
   std::string error;
   const auto order = ParseOrder(service, request.body, &error);
@@ -119,7 +117,7 @@ WebAnswer WebRouter::AnswerCamera(const WebRequest& request) const {
 uint64_t WebRouter::RevisionOf(const std::string& since) const {
   const std::string begin = site_.instance + "-";
   uint64_t revision = 0;
-  if (!BeginsWith(since, begin)) return 0;
+  if (!StartsWith(since, begin)) return 0;
   const char* const last = since.data() + since.size();
   const auto [end, error] = std::from_chars(since.data() + begin.size(), last, revision);
   return error == std::errc() && end == last ? revision : 0;

@@ -120,7 +120,8 @@ class Densifier {
     counts_.num_removed_points = AdjustPoints(num_before, options_.grow, &model_);
     counts_.num_inconsistent_depths = RemoveInconsistentDepths(num_before, options_.depth, &model_);
     counts_.after = MeasurePoints(model_);
-    return {CloudOf(num_before), counts_};
+    ColorAdded(num_before);
+    return {LandmarkCloud(model_), counts_};
   }
 
  private:
@@ -142,17 +143,11 @@ class Densifier {
     return matches;
   }
 
-  PointCloud CloudOf(size_t num_before) const {
-    PointCloud cloud;
-    for (size_t i = 0; i < model_.points.size(); ++i) {
-      const ModelPoint& point = model_.points[i];
-      const ModelView& first = point.views.front();
-      const Rgb color =
-          i < num_before ? point.color : features_[first.image].colors[first.keypoint];
-      cloud.push_back({point.x_in_map.cast<float>(), TowardsCameras(point, model_).cast<float>(),
-                       color, static_cast<uint32_t>(point.views.size())});
+  void ColorAdded(size_t num_before) {
+    for (size_t i = num_before; i < model_.points.size(); ++i) {
+      const ModelView& first = model_.points[i].views.front();
+      model_.points[i].color = features_[first.image].colors[first.keypoint];
     }
-    return cloud;
   }
 
   MapModel model_;

@@ -1,7 +1,9 @@
 #include "rovio_sfm/finish/landmark_cloud.h"
 
 namespace rovio_sfm {
+namespace {
 
+// The mean direction, of length 1, from a point to the cameras that see it.
 Eigen::Vector3d TowardsCameras(const ModelPoint& point, const MapModel& model) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const ModelView& view : point.views) {
@@ -9,6 +11,8 @@ Eigen::Vector3d TowardsCameras(const ModelPoint& point, const MapModel& model) {
   }
   return sum.normalized();
 }
+
+}  // namespace
 
 PointCloud LandmarkCloud(const MapModel& model) {
   PointCloud cloud;

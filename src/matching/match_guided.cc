@@ -7,6 +7,7 @@
 
 #include "rovio_sfm/matching/descriptor_distance.h"
 #include "rovio_sfm/matching/filter_matches.h"
+#include "rovio_sfm/matching/known_matches.h"
 
 namespace rovio_sfm {
 namespace {
@@ -18,13 +19,6 @@ struct Ray {
   Eigen::Vector3d line_in_b;
   Eigen::Vector3d direction_in_b;
 };
-
-std::vector<bool> UsedFeatures(size_t count, const std::vector<FeatureMatch>& known,
-                               uint32_t FeatureMatch::*side) {
-  std::vector<bool> used(count, false);
-  for (const FeatureMatch& match : known) used[match.*side] = true;
-  return used;
-}
 
 std::vector<Ray> FreeRays(const FrameFeatures& a, const Rigid3& b_from_a,
                           const std::vector<bool>& used) {
@@ -84,12 +78,6 @@ std::optional<FeatureMatch> FindInBand(const Search& search, uint32_t index_b) {
   if (best.distance > search.options.max_ratio * second) return std::nullopt;
   best.ratio = std::isfinite(second) ? best.distance / second : search.options.max_ratio;
   return best;
-}
-
-float MeanDistance(const std::vector<FeatureMatch>& matches) {
-  double sum = 0.0;
-  for (const FeatureMatch& match : matches) sum += match.distance;
-  return static_cast<float>(sum / static_cast<double>(matches.size()));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "rovio_sfm/matching/descriptor_distance.h"
 #include "rovio_sfm/matching/filter_matches.h"
+#include "rovio_sfm/matching/known_matches.h"
 
 namespace rovio_sfm {
 namespace {
@@ -39,13 +40,6 @@ std::optional<Stretch> StretchOf(const Eigen::Vector2d& x_in_b, const DepthRange
   return stretch;
 }
 
-std::vector<bool> UsedFeatures(size_t count, const std::vector<FeatureMatch>& known,
-                               uint32_t FeatureMatch::*side) {
-  std::vector<bool> used(count, false);
-  for (const FeatureMatch& match : known) used[match.*side] = true;
-  return used;
-}
-
 std::vector<Candidate> FreeFeatures(const FrameFeatures& a,
                                     const std::vector<FeatureMatch>& known) {
   const std::vector<bool> used = UsedFeatures(a.keypoints.size(), known, &FeatureMatch::a);
@@ -54,12 +48,6 @@ std::vector<Candidate> FreeFeatures(const FrameFeatures& a,
     if (!used[i]) free.push_back({i, a.keypoints[i].x_normalized});
   }
   return free;
-}
-
-float MeanDistance(const std::vector<FeatureMatch>& matches) {
-  double sum = 0.0;
-  for (const FeatureMatch& match : matches) sum += double{match.distance};
-  return static_cast<float>(sum / static_cast<double>(matches.size()));
 }
 
 struct Search {

@@ -15,17 +15,10 @@ uint32_t Count(const std::vector<FeatureMatch>& matches) {
   return static_cast<uint32_t>(matches.size());
 }
 
-Eigen::Matrix3d EssentialOf(const Rigid3& b_from_a) {
-  const Eigen::Vector3d t = b_from_a.translation.normalized();
-  Eigen::Matrix3d cross;
-  cross << 0.0, -t.z(), t.y(), t.z(), 0.0, -t.x(), -t.y(), t.x(), 0.0;
-  return cross * b_from_a.rotation.toRotationMatrix();
-}
-
 std::vector<FeatureMatch> FilterByPose(const FrameFeatures& a, const FrameFeatures& b,
                                        const Rigid3& b_from_a,
                                        const std::vector<FeatureMatch>& matches, double band) {
-  const Eigen::Matrix3d essential = EssentialOf(b_from_a);
+  const Eigen::Matrix3d essential = EssentialFromPose(b_from_a);
   std::vector<FeatureMatch> kept;
   for (const FeatureMatch& match : matches) {
     const Eigen::Vector2d& x_a = a.keypoints[match.a].x_normalized;

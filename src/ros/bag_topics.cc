@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/text_ends.h"
 
 namespace rovio_sfm {
 namespace {
@@ -25,10 +26,6 @@ std::set<std::string> TopicsIn(const rosbag::Bag& bag) {
     topics.insert(connection->topic);
   }
   return topics;
-}
-
-bool EndsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 std::string WithoutCompressed(const std::string& topic) {

@@ -69,6 +69,25 @@ std::optional<ResultFile> FindFile(const Goal& goal, const std::string& output_d
   return ResultFile{path, goal.overwrite ? Overwrite::kAllow : Overwrite::kRefuse};
 }
 
+// What a goal that may go on works on, and where its result goes.
+struct Task {
+  ResultFile file;
+  TakenMap taken;
+};
+
+// Nothing, and the result's status says why, where the file or the map is refused.
+template <typename Goal, typename Result>
+std::optional<Task> TakeUp(const Goal& goal, const FinishSources& sources, const char* file_name,
+                           Result* result) {
+  const auto file = FindFile(goal, sources.output_dir, file_name, &result->status);
+  if (!file) return std::nullopt;
+  Task task{*file, sources.take(goal.map)};
+  result->status = task.taken.status;
+  if (result->status.code != Status::OK) return std::nullopt;
+  result->map = task.taken.gauge.map.value;
+  return task;
+}
+
 // `done` tells what was made; the status is OK where that is written too.
 template <typename Result>
 void WriteResult(const ResultFile& file, const std::string& bytes, const std::string& done,
@@ -140,19 +159,16 @@ DensifyResult MapFinisher::Densify(const DensifyGoal& goal, const GoalProgress& 
     return result;
   }
   const char* const name = by_depth ? "dense.ply" : "densified.ply";
-  const auto file = FindFile(goal, sources_.output_dir, name, &result.status);
-  if (!file) return result;
-  const TakenMap taken = sources_.take(goal.map);
-  result.status = taken.status;
-  if (taken.status.code != Status::OK) return result;
-  result.map = taken.gauge.map.value;
+  const auto task = TakeUp(goal, sources_, name, &result);
+  if (!task) return result;
+  const auto& [file, taken] = *task;
   Watch watch(sources_, taken.gauge, progress);
   const CloudKind kind = by_depth ? CloudKind::kDense : CloudKind::kDensified;
   const CloudPtr cloud = MakeCloud(kind, taken, &watch);
   result.status = watch.why();
   if (!cloud) return result;
   result.num_points = static_cast<uint32_t>(cloud->size());
-  WriteResult(*file, file->path.empty() ? "" : DensePlyBytes(*cloud, taken.model.length_unit),
+  WriteResult(file, file.path.empty() ? "" : DensePlyBytes(*cloud, taken.model.length_unit),
               Describe(cloud->size(), "points", taken), &result);
   return result;
 }
@@ -165,12 +181,9 @@ ReconstructSurfaceResult MapFinisher::ReconstructSurface(const ReconstructSurfac
         InvalidArgument("source: \"" + goal.source + "\": expected landmarks, densified or dense");
     return result;
   }
-  const auto file = FindFile(goal, sources_.output_dir, "mesh.ply", &result.status);
-  if (!file) return result;
-  const TakenMap taken = sources_.take(goal.map);
-  result.status = taken.status;
-  if (taken.status.code != Status::OK) return result;
-  result.map = taken.gauge.map.value;
+  const auto task = TakeUp(goal, sources_, "mesh.ply", &result);
+  if (!task) return result;
+  const auto& [file, taken] = *task;
   Watch watch(sources_, taken.gauge, progress);
   const CloudPtr cloud = CloudFor(goal.source, taken, &watch);
   const auto surface = cloud ? MakeSurface(taken, *cloud, &watch) : nullptr;
@@ -178,7 +191,7 @@ ReconstructSurfaceResult MapFinisher::ReconstructSurface(const ReconstructSurfac
   if (!surface) return result;
   result.num_points = static_cast<uint32_t>(cloud->size());
   result.num_triangles = static_cast<uint32_t>(surface->triangles.size());
-  WriteResult(*file, file->path.empty() ? "" : MeshPlyBytes(*surface, taken.model.length_unit),
+  WriteResult(file, file.path.empty() ? "" : MeshPlyBytes(*surface, taken.model.length_unit),
               Describe(surface->triangles.size(), "triangles", taken), &result);
   return result;
 }

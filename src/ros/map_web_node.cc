@@ -11,6 +11,7 @@
 #include "rovio_sfm/ros/live_status.h"
 #include "rovio_sfm/ros/map_frames.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/text_ends.h"
 
 namespace rovio_sfm {
 namespace {
@@ -32,11 +33,6 @@ WebSite SiteOf(const MapWebOptions& options, const std::string& secret) {
       {"live", true}, {"robots", options.robots}, {"control", options.allow_control}};
   site.page = LivePageText(settings.dump());
   return site;
-}
-
-bool IsCompressed(const std::string& topic) {
-  static const std::string kEnd = "/compressed";
-  return topic.size() > kEnd.size() && topic.substr(topic.size() - kEnd.size()) == kEnd;
 }
 
 }  // namespace
@@ -107,7 +103,7 @@ void MapWebNode::SubscribeMap() {
 
 void MapWebNode::SubscribeCamera(const std::string& robot) {
   const std::string topic = "/" + robot + "/" + options_.image;
-  if (IsCompressed(topic)) {
+  if (EndsWith(topic, "/compressed")) {
     subscribers_.push_back(node_.subscribe<sensor_msgs::CompressedImage>(
         topic, topics::kPreviewQueue,
         [this, robot](const sensor_msgs::CompressedImageConstPtr& image) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "rovio_sfm/sim/http/command.h"
+#include "rovio_sfm/util/text_ends.h"
 
 namespace rovio_sfm::sim {
 namespace {
@@ -13,10 +14,6 @@ struct PendingCommand {
   const Command* command = nullptr;
   Parameters parameters;
 };
-
-bool StartsWith(const std::string& text, std::string_view start) {
-  return text.compare(0, start.size(), start) == 0;
-}
 
 // The commands of a request. An unknown Cmd stays in the list (it asks for a user) and does
 // nothing.
@@ -99,7 +96,7 @@ bool IsStartPath(const std::string& path) { return path == "/" || path == "/inde
 bool IsStillPath(const std::string& path) {
   constexpr std::string_view kStart = "/Jpeg/CamImg", kEnd = ".jpg";
   return path.size() >= kStart.size() + kEnd.size() && StartsWith(path, kStart) &&
-         path.compare(path.size() - kEnd.size(), kEnd.size(), kEnd) == 0;
+         EndsWith(path, kEnd);
 }
 
 bool IsStreamPath(const std::string& path) { return path == "/GetData.cgi"; }
