@@ -2,28 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
-#include "report/small_map.h"
+#include "app/small_picture.h"
 
 namespace rovio_sfm {
 namespace {
-
-MapPicture Picture(uint32_t num_sessions) {
-  MapPicture picture;
-  picture.snapshot = SmallMaps(num_sessions);
-  return picture;
-}
-
-// The picture after something has happened to its sessions.
-MapPicture After(const MapPicture& picture, const std::function<void(MapSnapshot*)>& change) {
-  MapPicture next = picture;
-  MapSnapshot snapshot = *picture.snapshot;
-  ++snapshot.version;
-  change(&snapshot);
-  next.snapshot = std::make_shared<const MapSnapshot>(snapshot);
-  return next;
-}
 
 MergeReport Overlap(MergeVerdict verdict, uint32_t other, uint32_t query) {
   MergeReport report;

@@ -2,28 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
-#include "report/small_map.h"
+#include "app/small_picture.h"
 
 namespace rovio_sfm {
 namespace {
 
 constexpr MapId kMap = {1};
-
-MapPicture Picture(uint32_t num_sessions) {
-  MapPicture picture;
-  picture.snapshot = SmallMaps(num_sessions);
-  return picture;
-}
-
-MapPicture After(const MapPicture& picture, const std::function<void(MapSnapshot*)>& change) {
-  MapPicture next = picture;
-  MapSnapshot snapshot = *picture.snapshot;
-  change(&snapshot);
-  next.snapshot = std::make_shared<const MapSnapshot>(snapshot);
-  return next;
-}
 
 MapPicture WithScale(const MapPicture& picture, double metres_per_unit) {
   return After(picture, [&](MapSnapshot* snapshot) {

@@ -2,32 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include "matching/camera_pair.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
 namespace {
 
-constexpr double kFocalPx = 500.0;
-
-struct Pair {
-  FrameFeatures a, b;
-  Rigid3 b_from_a;
-};
-
-void AddFeature(const Eigen::Vector3d& x_in_cam, uint8_t value, FrameFeatures* features) {
-  Keypoint keypoint;
-  keypoint.x_normalized = x_in_cam.hnormalized();
-  features->keypoints.push_back(keypoint);
-  features->descriptors.data.insert(features->descriptors.data.end(), 64, value);
-}
-
 // Points before two cameras side by side; feature i of a shows the same point as feature i of b and
 // their descriptors are alike.
-Pair MakePair(size_t count) {
-  Pair pair;
-  pair.a.descriptors.type = pair.b.descriptors.type = DescriptorType::kSurf;
-  pair.a.descriptors.length = pair.b.descriptors.length = 64;
-  pair.b_from_a.translation = {-1.0, 0.0, 0.0};
+CameraPair MakePair(size_t count) {
+  CameraPair pair = SideBySide();
   Rng rng(3);
   for (size_t i = 0; i < count; ++i) {
     const Eigen::Vector3d x(rng.Uniform(-2, 2), rng.Uniform(-2, 2), rng.Uniform(4, 9));
@@ -40,14 +24,14 @@ Pair MakePair(size_t count) {
 const std::vector<FeatureMatch> kKnown = {{0, 0, 8.0f, 0.5f}};
 
 TEST(MatchGuided, FindsTheRestAlongTheBand) {
-  const Pair pair = MakePair(40);
+  const CameraPair pair = MakePair(40);
   const auto found = MatchGuided(pair.a, pair.b, pair.b_from_a, kKnown, kFocalPx, {});
   ASSERT_EQ(found.size(), 39u);
   for (const FeatureMatch& match : found) EXPECT_EQ(match.a, match.b);
 }
 
 TEST(MatchGuided, NeverTouchesKnownFeatures) {
-  const Pair pair = MakePair(40);
+  const CameraPair pair = MakePair(40);
   for (const FeatureMatch& match :
        MatchGuided(pair.a, pair.b, pair.b_from_a, kKnown, kFocalPx, {})) {
     EXPECT_NE(match.a, 0u);
@@ -56,7 +40,7 @@ TEST(MatchGuided, NeverTouchesKnownFeatures) {
 }
 
 TEST(MatchGuided, RefusesAlikeFeaturesOffTheBand) {
-  Pair pair = MakePair(40);
+  CameraPair pair = MakePair(40);
   pair.b.keypoints[7].x_normalized.y() += 5.0 / kFocalPx;
   for (const FeatureMatch& match :
        MatchGuided(pair.a, pair.b, pair.b_from_a, kKnown, kFocalPx, {})) {
@@ -65,19 +49,19 @@ TEST(MatchGuided, RefusesAlikeFeaturesOffTheBand) {
 }
 
 TEST(MatchGuided, RefusesPointsBehindTheCameras) {
-  Pair pair = MakePair(2);
+  CameraPair pair = MakePair(2);
   pair.b.keypoints[1].x_normalized.x() = pair.a.keypoints[1].x_normalized.x() + 0.3;
   EXPECT_TRUE(MatchGuided(pair.a, pair.b, pair.b_from_a, kKnown, kFocalPx, {}).empty());
 }
 
 TEST(MatchGuided, RefusesUnlikeDescriptors) {
-  Pair pair = MakePair(2);
+  CameraPair pair = MakePair(2);
   for (size_t i = 64; i < 128; ++i) pair.b.descriptors.data[i] = 200;
   EXPECT_TRUE(MatchGuided(pair.a, pair.b, pair.b_from_a, kKnown, kFocalPx, {}).empty());
 }
 
 TEST(MatchGuided, IsEmptyWithoutKnownMatchesOrTranslation) {
-  const Pair pair = MakePair(10);
+  const CameraPair pair = MakePair(10);
   EXPECT_TRUE(MatchGuided(pair.a, pair.b, pair.b_from_a, {}, kFocalPx, {}).empty());
   EXPECT_TRUE(MatchGuided(pair.a, pair.b, Rigid3{}, kKnown, kFocalPx, {}).empty());
 }

@@ -2,18 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "matching/camera_pair.h"
+
 namespace rovio_sfm {
 namespace {
 
-constexpr double kFocalPx = 500.0;
 const std::vector<FeatureMatch> kKnown = {{0, 0, 8.0f, 0.5f}};
-
-void AddFeature(const Eigen::Vector3d& x_in_cam, uint8_t value, FrameFeatures* features) {
-  Keypoint keypoint;
-  keypoint.x_normalized = x_in_cam.hnormalized();
-  features->keypoints.push_back(keypoint);
-  features->descriptors.data.insert(features->descriptors.data.end(), 64, value);
-}
 
 // Two cameras side by side see a known point and one at 5 units; in a another feature that looks
 // more like it lies on the same epipolar line, where a point at 2 units would.

@@ -2,34 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include "matching/camera_pair.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
 namespace {
 
-constexpr double kFocalPx = 500.0;
-
-struct Pair {
-  FrameFeatures a, b;
-  Rigid3 b_from_a;
-};
-
-void AddFeature(const Eigen::Vector3d& x_in_cam, const std::vector<uint8_t>& descriptor,
-                FrameFeatures* features) {
-  Keypoint keypoint;
-  keypoint.x_normalized = x_in_cam.hnormalized();
-  features->keypoints.push_back(keypoint);
-  features->descriptors.data.insert(features->descriptors.data.end(), descriptor.begin(),
-                                    descriptor.end());
-}
-
 // Points before two cameras side by side; feature i of a and of b show one point and have one
 // descriptor.
-Pair MakePair(size_t count) {
-  Pair pair;
-  pair.a.descriptors.type = pair.b.descriptors.type = DescriptorType::kSurf;
-  pair.a.descriptors.length = pair.b.descriptors.length = 64;
-  pair.b_from_a.translation = {-1.0, 0.0, 0.0};
+CameraPair MakePair(size_t count) {
+  CameraPair pair = SideBySide();
   Rng rng(3);
   for (size_t i = 0; i < count; ++i) {
     const Eigen::Vector3d x(rng.Uniform(-2, 2), rng.Uniform(-2, 2), rng.Uniform(4, 9));
@@ -41,12 +23,12 @@ Pair MakePair(size_t count) {
   return pair;
 }
 
-std::vector<DepthRange> NoRanges(const Pair& pair) {
+std::vector<DepthRange> NoRanges(const CameraPair& pair) {
   return std::vector<DepthRange>(pair.b.keypoints.size());
 }
 
 TEST(MatchPosed, FindsWhatLooksAlikeInTheBand) {
-  const Pair pair = MakePair(50);
+  const CameraPair pair = MakePair(50);
   const PairMatches found =
       MatchPosed(7, pair.a, pair.b, pair.b_from_a, NoRanges(pair), kFocalPx, {});
   EXPECT_EQ(found.other_index, 7u);
@@ -56,7 +38,7 @@ TEST(MatchPosed, FindsWhatLooksAlikeInTheBand) {
 }
 
 TEST(MatchPosed, DropsWhatThePosesForbid) {
-  Pair pair = MakePair(50);
+  CameraPair pair = MakePair(50);
   pair.b.keypoints[4].x_normalized.y() += 3.0 * 2.0 / kFocalPx;  // off its line
   pair.b.keypoints[9].x_normalized.x() += 3.0;                   // behind the cameras
   const PairMatches found =
@@ -67,7 +49,7 @@ TEST(MatchPosed, DropsWhatThePosesForbid) {
 }
 
 TEST(MatchPosed, FindsNothingFromOnePlaceOrWithoutDescriptors) {
-  Pair pair = MakePair(10);
+  CameraPair pair = MakePair(10);
   EXPECT_TRUE(MatchPosed(0, pair.a, pair.b, {}, NoRanges(pair), kFocalPx, {}).inliers.empty());
   pair.a.descriptors = {};
   EXPECT_TRUE(
