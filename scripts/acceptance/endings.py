@@ -4,6 +4,7 @@ import contextlib
 import os
 import pathlib
 import signal
+import sqlite3
 import subprocess
 import tempfile
 import time
@@ -103,6 +104,21 @@ def names_in(folder):
     folder = pathlib.Path(folder)
     return sorted(str(path.relative_to(folder)) for path in folder.rglob("*")
                   if path.is_file() and path.name != "filler")
+
+
+def frames_of(store):
+    """Frames of a store that is whole; -1: it is not."""
+    checked = subprocess.run([str(PROGRAMS / "map_tool"), "check", str(store)], capture_output=True, check=False)
+    if checked.returncode != 0:
+        return -1
+    with contextlib.closing(sqlite3.connect(f"file:{store}?mode=ro", uri=True)) as rows:
+        return rows.execute("SELECT count(*) FROM frame").fetchone()[0]
+
+
+def frames_below(folder):
+    """Frames of the store that a folder holds; 0: none holds one; -1: it is not whole."""
+    stores = list(pathlib.Path(folder).rglob("map.db"))
+    return frames_of(stores[0]) if stores else 0
 
 
 def environment(port, home):

@@ -7,7 +7,8 @@ import subprocess
 import tempfile
 
 from acceptance.common import DEVEL, free_port
-from acceptance.endings import PATIENCE_S, Running, disk, end, environment, fill, names_in
+from acceptance.endings import (PATIENCE_S, Running, disk, end, environment, fill, frames_below,
+                                names_in)
 
 CLIENTS, CALLS = 6, 15
 
@@ -62,7 +63,7 @@ def end_mapping(how, bag, size):
             fill(out)
             how = "once"
         status, seconds = end(node, how, out)
-        return status, seconds, node.said(), names_in(out)
+        return status, seconds, node.said(), names_in(out), frames_below(out)
 
 
 def folders(_quick):

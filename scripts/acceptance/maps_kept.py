@@ -2,16 +2,15 @@
 
 As a program it prints the table of docs/maps_kept.md: scripts/accept 3 --only maps_kept writes it."""
 
-import contextlib
 import pathlib
 import re
-import sqlite3
 import subprocess
 import tempfile
 
 from acceptance import live_mapping
 from acceptance.common import PROGRAMS, ROOT, WORK, Line, dataset, fresh_folder, run
-from acceptance.endings import Running, disk, end, environment, names_in, size_of
+from acceptance.endings import (Running, disk, end, environment, frames_below, frames_of, names_in,
+                                size_of)
 from acceptance.reasons import cases
 
 TABLE = ROOT / "docs/maps_kept.md"
@@ -51,21 +50,21 @@ TOOLS = {
 
 
 def end_tool(program, how):
-    """(status, seconds, words, files) of a program that is ended so."""
+    """(status, seconds, words, files, frames in its store) of a program that is ended so."""
     arguments, is_started = TOOLS[program]
     with disk(DISK + (",ro" if how == "read-only" else "")) as out:
         with Running(program, *arguments(out)) as running:
             if how != "read-only" and not running.wait_until(lambda: is_started(out)):
                 raise RuntimeError(f"{program} ended too soon: {running.said()[-300:]}")
             status, seconds = end(running, how, out)
-            return status, seconds, running.said(), names_in(out)
+            return status, seconds, running.said(), names_in(out), frames_below(out)
 
 
-def is_right(program, how, status, seconds, said, files):
+def is_right(program, how, status, seconds, said, files, frames):
     if how == "read-only":
         return status == 1 and "Read-only file system" in said and seconds < ROSLAUNCH_S
     if how == "kill":
-        return status == 137 and bool(files)
+        return status == 137 and bool(files) and (program in WITHOUT_STORE or frames > 0)
     if how == "full":
         return status == 1 and "No space left on device" in said
     if program == "mapping":
@@ -73,12 +72,13 @@ def is_right(program, how, status, seconds, said, files):
     else:
         stopped = (130,)
     # A second signal may come before the map is written as files: then the store has it.
-    kept = KEPT[program] + (r"|map\.db$" if how == "twice" else "")
-    return status in stopped and seconds < ROSLAUNCH_S and any(re.search(kept, name) for name in files)
+    is_kept = any(re.search(KEPT[program], name) for name in files) or (how == "twice" and frames > 0)
+    return status in stopped and seconds < ROSLAUNCH_S and is_kept
 
 
 KEPT = {"mapping": r"trajectory\.txt$", "replay": r"trajectory\.txt$", "map_images": r"trajectory\.txt$",
         "train_places": r"\.work/words\.bin$", "images_to_bag": r"drive\.bag$"}
+WITHOUT_STORE = ("train_places", "images_to_bag")
 
 
 def measure(program, how):
@@ -99,10 +99,11 @@ def table(_quick):
     for program in ("mapping", *TOOLS):
         cells = []
         for how in HOW:
-            status, seconds, said, files = measure(program, how)
+            status, seconds, said, files, frames = measure(program, how)
             cells.append(cell(status, seconds, files))
-            if not is_right(program, how, status, seconds, said, files):
-                fallen.append(f"{program}, {how}: {status} after {seconds:.1f} s, {files}, {said[-200:]!r}")
+            if not is_right(program, how, status, seconds, said, files, frames):
+                fallen.append(f"{program}, {how}: {status} after {seconds:.1f} s, {files}, {frames} frames in the "
+                              f"store, {said[-200:]!r}")
         rows.append([f"`{program}`", *cells])
     write_table(rows)
     return not fallen, "; ".join(fallen) or f"{len(rows) * len(HOW)} endings, {TABLE.relative_to(ROOT)}"
@@ -134,15 +135,6 @@ def overwrite(_quick):
     holds = (refused.returncode == 1 and "exists" in refused.stderr and not left and black.returncode == 2
              and "no image was registered" in black.stdout)
     return holds, f"unasked {refused.returncode}; left by the older run: {left}; black {black.returncode}"
-
-
-def frames_of(store):
-    """Frames of a store that is whole; -1: it is not."""
-    checked = subprocess.run([str(PROGRAMS / "map_tool"), "check", str(store)], capture_output=True, check=False)
-    if checked.returncode != 0:
-        return -1
-    with contextlib.closing(sqlite3.connect(f"file:{store}?mode=ro", uri=True)) as rows:
-        return rows.execute("SELECT count(*) FROM frame").fetchone()[0]
 
 
 def replacing(_quick):

@@ -52,7 +52,7 @@ void StoredMerges::PutEdit(const MergeEdit& edit) {
   const DriveRowOf row_of = [this](const DriveId& drive) { return RowOf(drive); };
   const std::string report = ReportBytes(edit.report, row_of);
   const std::string match = MatchBytes(edit.match, row_of);
-  const std::string links = LinkBytes(edit.links), marks = MarkBytes(edit.marks);
+  const std::string links = LinkBytes(edit.links.List()), marks = MarkBytes(edit.marks);
   database_->Run(
       "INSERT OR REPLACE INTO merge_edit (id, query_session, other_session, kind, verdict, reason, "
       "accepted_by, sequence, report, place_match, links, marks) "

@@ -16,7 +16,7 @@ using LandmarkSet = std::set<std::pair<SessionId, TrackId>>;
 // The landmarks that the overlap links, of both sessions.
 LandmarkSet LandmarksOf(const MergeEdit& edit, const SessionTable& sessions) {
   LandmarkSet landmarks;
-  for (const FeatureLink& link : edit.links) {
+  for (const FeatureLink& link : edit.links.List()) {
     for (const FeatureRef& feature : {link.a, link.b}) {
       const Session* session = sessions.Find(feature.session);
       if (session == nullptr || ObservedLandmark(*session, feature) == nullptr) continue;

@@ -168,7 +168,7 @@ void MapKeeper::Accept(AcceptedBy by, MergeEdit* edit) {
   const MapId map = list_.PlaceOf(report.query_session).map;
   list_.RaiseRevision(map);
   const std::vector<PlacedSession> placed = list_.SessionsOf(map, &sessions_);
-  report.error_before_px = MeasureLinks(placed, edit->links).median_error_px;
+  report.error_before_px = MeasureLinks(placed, edit->links.List()).median_error_px;
   StartAdjusting(map, *edit);
 }
 
@@ -186,7 +186,7 @@ void MapKeeper::CloseLoop(MergeEdit* edit) {
   MergeReport& report = edit->report;
   const MapId map = list_.PlaceOf(report.query_session).map;
   const std::vector<PlacedSession> placed = list_.SessionsOf(map, &sessions_);
-  const LinkStatistics before = MeasureLinks(placed, edit->links);
+  const LinkStatistics before = MeasureLinks(placed, edit->links.List());
   report.error_before_px = before.median_error_px;
   if (before.median_error_px <= options_.merge.max_gap_px) return;
   if (options_.merge.use_pose_graph) SpreadGap(placed, report, list_.LinksOf(map, edit));

@@ -56,7 +56,7 @@ void MapKeeper::Repeat(MergeEdit* edit) {
     edit->report = std::move(trial.report);
     edit->report.id = before.id;
     edit->report.reason = before.reason;
-    edit->links = std::move(trial.links);
+    edit->links = trial.links;
   }
   edit->report.kind = before.kind == MergeKind::kLoop ? MergeKind::kMerge : before.kind;
   Accept(before.accepted_by, edit);

@@ -36,8 +36,7 @@ MergeEdit& MergeList::Keep(const PlaceMatch& match, OverlapTrial trial) {
   MergeEdit edit;
   edit.report = std::move(trial.report);
   edit.match = match;
-  edit.links = std::move(trial.links);
-  edit.links.shrink_to_fit();  // kept as long as the map
+  edit.links = trial.links;
   return Keep(std::move(edit));
 }
 
@@ -98,7 +97,8 @@ std::vector<FeatureLink> MergeList::LinksOf(MapId map, const MergeEdit* except) 
   for (const MergeEdit& edit : edits_) {
     if (!edit.IsAccepted() || &edit == except) continue;
     if (!(PlaceOf(edit.report.query_session).map == map)) continue;
-    links.insert(edit.links.begin(), edit.links.end());
+    const std::vector<FeatureLink> of_edit = edit.links.List();
+    links.insert(of_edit.begin(), of_edit.end());
   }
   return {links.begin(), links.end()};
 }
@@ -109,8 +109,9 @@ void MergeList::KeepLinks(MapId map, const std::vector<FeatureLink>& kept) {
     const auto is_gone = [&](const FeatureLink& link) {
       return !std::binary_search(kept.begin(), kept.end(), link);
     };
-    edit.links.erase(std::remove_if(edit.links.begin(), edit.links.end(), is_gone),
-                     edit.links.end());
+    std::vector<FeatureLink> links = edit.links.List();
+    links.erase(std::remove_if(links.begin(), links.end(), is_gone), links.end());
+    edit.links = links;
   }
 }
 

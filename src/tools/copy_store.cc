@@ -57,10 +57,12 @@ void ShiftEdit(const Shift& shift, MergeEdit* edit) {
   if (edit->sequence != 0) edit->sequence += shift.accepted;
   edit->report.query_session = shift(edit->report.query_session);
   edit->report.other_session = shift(edit->report.other_session);
-  for (FeatureLink& link : edit->links) {
+  std::vector<FeatureLink> links = edit->links.List();
+  for (FeatureLink& link : links) {
     link.a.session = shift(link.a.session);
     link.b.session = shift(link.b.session);
   }
+  edit->links = links;
   std::map<SessionId, uint32_t> marks;
   for (const auto& [session, mark] : edit->marks) marks[shift(session)] = mark;
   edit->marks = std::move(marks);
@@ -159,7 +161,7 @@ void UndoStrayEdits(MergeRecord* merges, const std::set<SessionId>& kept) {
     if (is_kept(edit.report.query_session) && is_kept(edit.report.other_session)) continue;
     edit.report.verdict = MergeVerdict::kUndone;
     edit.report.reason = "one of its sessions could not be read";
-    edit.links.clear();
+    edit.links = {};
     edit.marks.clear();
   }
   for (auto it = merges->separated.begin(); it != merges->separated.end();) {

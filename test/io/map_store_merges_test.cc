@@ -18,7 +18,7 @@ const FrameId kOther{{"first", 1, 0}, 9};
 std::string AllOf(const MergeEdit& edit) {
   const DriveRowOf row_of = [](const DriveId& drive) { return drive == kQuery.drive ? 2 : 1; };
   return std::to_string(edit.report.id) + " " + ReportBytes(edit.report, row_of) +
-         MatchBytes(edit.match, row_of) + LinkBytes(edit.links) + MarkBytes(edit.marks) +
+         MatchBytes(edit.match, row_of) + LinkBytes(edit.links.List()) + MarkBytes(edit.marks) +
          std::to_string(int(edit.report.accepted_by)) + " " + std::to_string(edit.sequence);
 }
 
@@ -71,7 +71,7 @@ TEST_F(MapStoreMerges, KeepEveryChangeOfAnEdit) {
     ExpectKept(edits, "new");
   }
   MergeEdit& edit = edits[1];
-  edit.links = {{{{1}, 2, 3}, {{2}, 5, 6}}};
+  edit.links = std::vector<FeatureLink>{{{{1}, 2, 3}, {{2}, 5, 6}}};
   ExpectKept(edits, "links");
   const std::vector<std::pair<const char*, std::function<void()>>> changes = {
       {"verdict", [&] { edit.report.verdict = MergeVerdict::kUndone; }},
@@ -91,7 +91,9 @@ TEST_F(MapStoreMerges, KeepEveryChangeOfAnEdit) {
        }},
       {"another mark", [&] { edit.marks[{2}] = 3; }},
       {"no marks", [&] { edit.marks.clear(); }},
-      {"a link", [&] { edit.links[0].a.feature = 9; }}};
+      {"a link", [&] {
+         edit.links = std::vector<FeatureLink>{{{{1}, 2, 9}, {{2}, 5, 6}}};
+       }}};
   for (const auto& [what, change] : changes) {
     change();
     ExpectKept(edits, what);

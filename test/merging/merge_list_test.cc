@@ -13,7 +13,7 @@ MergeEdit Merge(uint32_t a, uint32_t b, double scale) {
   edit.report.other_session = {a};
   edit.report.query_session = {b};
   edit.report.query_from_other.scale = scale;
-  edit.links = {{{{a}, 1, 2}, {{b}, 3, 4}}, {{{a}, 1, 5}, {{b}, 3, 6}}};
+  edit.links = std::vector<FeatureLink>{{{{a}, 1, 2}, {{b}, 3, 4}}, {{{a}, 1, 5}, {{b}, 3, 6}}};
   return edit;
 }
 
@@ -42,7 +42,7 @@ TEST(MergeList, KeepsOnlyTheLinksItIsTold) {
   list.Place();
   ASSERT_EQ(list.LinksOf({1}).size(), 2u);
   EXPECT_TRUE(list.LinksOf({1}, &edit).empty());
-  list.KeepLinks({1}, {edit.links[1]});
+  list.KeepLinks({1}, {edit.links.List()[1]});
   ASSERT_EQ(list.LinksOf({1}).size(), 1u);
   EXPECT_EQ(list.LinksOf({1})[0].b.feature, 6u);
 }

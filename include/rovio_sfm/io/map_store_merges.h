@@ -34,7 +34,7 @@ class StoredMerges {
     MergeReport report;
     uint32_t sequence;
     std::map<SessionId, uint32_t> marks;
-    std::vector<FeatureLink> links;
+    LinkList links;
   };
   using WaitingKey = std::pair<FrameId, FrameId>;  // query, first of the matched frames
 

@@ -2,9 +2,8 @@
 
 #include <cstdint>
 #include <map>
-#include <vector>
 
-#include "rovio_sfm/scene/feature_link.h"
+#include "rovio_sfm/scene/link_list.h"
 #include "rovio_sfm/scene/merge_report.h"
 #include "rovio_sfm/scene/place_match.h"
 
@@ -15,7 +14,7 @@ namespace rovio_sfm {
 struct MergeEdit {
   MergeReport report;
   PlaceMatch match;                     // no pairs where it was placed by hand
-  std::vector<FeatureLink> links;       // sorted
+  LinkList links;                       // sorted
   uint32_t sequence = 0;                // counts acceptances, from 1
   std::map<SessionId, uint32_t> marks;  // of the sessions' journals, just before it joined two maps
 
