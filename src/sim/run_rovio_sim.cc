@@ -73,6 +73,9 @@ void AddRenderArguments(CLI::App& app, Arguments* arguments) {
       ->default_val(arguments->camera);
   app.add_option("--light", render.light, "Time of day: the world's lights drawn anew; 0: its own")
       ->default_val(render.light);
+  app.add_option("--steps", render.steps, "Steps between pictures, times the tour's own")
+      ->default_val(render.steps);
+  app.add_flag("--movers", render.has_movers, "The people whom the tour's file names walk there");
   app.add_option("--noise", arguments->noise_sigma, "Grey levels after decoding; 0: none")
       ->default_val(arguments->noise_sigma);
   app.add_option("--samples", render.render.samples_per_side, "A pixel has this squared samples")
@@ -100,6 +103,7 @@ int AuditByArguments(const Arguments& arguments) {
   audit.tour = arguments.audit.back();
   if (arguments.audit.size() == 2) audit.world = arguments.audit.front();
   audit.seed = arguments.render.seed;
+  audit.steps = arguments.render.steps;
   audit.render = arguments.render.render;
   audit.develop = arguments.render.develop;
   return PrintAudit(Audit(audit), std::cout) ? 0 : 1;
@@ -111,6 +115,7 @@ int ServeByArguments(Arguments* arguments) {
   robot.config_folder = FindConfigFolder(arguments->config_folder);
   robot.seed = arguments->render.seed;
   robot.light = arguments->render.light;
+  robot.has_movers = arguments->render.has_movers;
   robot.render = arguments->render.render;
   robot.develop = arguments->render.develop;
   return ServeSimulatedRobot(robot);

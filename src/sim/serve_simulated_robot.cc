@@ -22,6 +22,7 @@ SimulatedRobotOptions RobotOptionsOf(const ServeRobotOptions& options, const Tou
   robot.render = options.render;
   robot.develop = options.develop;
   robot.drive.slip = options.slip;
+  if (options.has_movers) robot.movers = LoadMovers(tour, options.config_folder);
   return robot;
 }
 

@@ -15,6 +15,7 @@ struct ServeRobotOptions {
   std::string tour;  // its world, and the first way-point as the start
   uint64_t seed = 1;
   uint64_t light = 0;             // of InLight
+  bool has_movers = false;        // those of the tour walk
   double shutter_s = 1.0 / 60.0;  // from the first row's opening to the last row's closing
   RenderOptions render;
   DevelopOptions develop;

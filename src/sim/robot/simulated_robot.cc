@@ -222,16 +222,22 @@ const ImageRenderer& SimulatedRobot::RendererFor(int resolution) {
   return *renderer;
 }
 
-const cv::Mat& SimulatedRobot::LightOf(const CameraMotion& motion, int resolution) {
-  if (last_.resolution != resolution || !IsSame(last_.motion, motion)) {
-    last_ = {motion, resolution, RendererFor(resolution).Render(motion, SeedOf(motion))};
+const cv::Mat& SimulatedRobot::LightOf(const CameraMotion& motion, int resolution,
+                                       double elapsed_s) {
+  const bool is_same = last_.resolution == resolution && IsSame(last_.motion, motion);
+  if (!is_same || !options_.movers.empty()) {
+    last_ = {motion, resolution,
+             RendererFor(resolution).Render(motion, SeedOf(motion), options_.movers.At(elapsed_s))};
   }
   return last_.light;
 }
 
-double SimulatedRobot::ExposureAt(int64_t time_ns, int brightness) const {
+double SimulatedRobot::ElapsedAt(int64_t time_ns) const {
   const MutexLock lock(mutex_);
-  const double elapsed_s = 1e-9 * static_cast<double>(time_ns - std::max<int64_t>(start_ns_, 0));
+  return 1e-9 * static_cast<double>(time_ns - std::max<int64_t>(start_ns_, 0));
+}
+
+double SimulatedRobot::ExposureAt(double elapsed_s, int brightness) const {
   const double wave = std::sin(2.0 * M_PI * elapsed_s / options_.exposure_period_s);
   const double stops = 0.5 * options_.exposure_stops * wave + 0.25 * (brightness - 6);
   return options_.exposure * std::exp2(stops);
@@ -242,13 +248,14 @@ std::optional<CapturedImage> SimulatedRobot::Capture(int64_t time_ns,
   const int64_t shutter_ns = static_cast<int64_t>(1e9 * options_.shutter_s);
   const CameraMotion motion = MotionDuring(time_ns, time_ns + shutter_ns);
   const uint64_t seed = options_.seed * 0x9e3779b97f4a7c15ULL ^ static_cast<uint64_t>(time_ns);
-  const cv::Mat& light = LightOf(motion, settings.resolution);
+  const double elapsed_s = ElapsedAt(time_ns);
+  const cv::Mat& light = LightOf(motion, settings.resolution, elapsed_s);
   DevelopOptions develop = options_.develop;
   const int ratio = std::clamp(settings.compression_ratio, 0, 2);
   develop.jpeg_quality =
       (develop.sensor == Sensor::kBayer ? kRobotQualities : kPlainQualities)[ratio];
   develop.max_bytes = std::min(develop.max_bytes, MaxBytesOf(light, ratio));
-  const double exposure = ExposureAt(time_ns, settings.brightness);
+  const double exposure = ExposureAt(elapsed_s, settings.brightness);
   return CapturedImage{time_ns, EncodeJpeg(DevelopImage(light, exposure, develop, seed), develop)};
 }
 

@@ -27,7 +27,8 @@ std::string BoundsOf(const AuditFigure& figure) {
 }  // namespace
 
 AuditFigures Audit(const AuditOptions& options) {
-  const TourSpec spec = LoadTour(options.config_folder + "/tours/" + options.tour + ".yaml");
+  const TourSpec spec = WithLongerSteps(
+      LoadTour(options.config_folder + "/tours/" + options.tour + ".yaml"), options.steps);
   if (!options.world.empty() && spec.world != options.world) {
     throw std::runtime_error("tour " + options.tour + " is of world " + spec.world + ", not of " +
                              options.world);

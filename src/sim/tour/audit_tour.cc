@@ -29,20 +29,25 @@ double DepthRange(const cv::Mat& depth_m) {
   return Quantile(depths, 0.95) / std::max(Quantile(depths, 0.05), 1e-6);
 }
 
-AuditFigures AuditViews(const ImageRenderer& renderer, const SimulatedTour& tour, int step_px) {
-  std::vector<DepthView> views;
+AuditFigures AuditViews(const Camera& camera, const std::vector<DepthView>& views, int step_px) {
   std::vector<double> ranges, gone;
-  for (const TourFrame& frame : tour.frames) {
-    const Rigid3& pose = frame.world_from_camera;
-    views.push_back({pose, RenderDepth(renderer.world(), renderer.camera(), pose, step_px)});
-    ranges.push_back(DepthRange(views.back().depth_m));
-  }
+  for (const DepthView& view : views) ranges.push_back(DepthRange(view.depth_m));
   for (size_t i = 0; i + kAhead < views.size(); ++i) {
-    gone.push_back(1.0 - CovisibleShare(renderer.camera(), views[i], views[i + kAhead], step_px));
+    gone.push_back(1.0 - CovisibleShare(camera, views[i], views[i + kAhead], step_px));
   }
   return {
       AtLeast("depth p95 / p5, median frame", Quantile(ranges, 0.5), 4.0),
       AtLeast("share of points gone or hidden 5 frames later, median", Quantile(gone, 0.5), 0.25)};
+}
+
+// The robot's own steps; the two straight tours have shorter ones (rovio_sim --steps).
+AuditFigures AuditSteps(const Camera& camera, const std::vector<DepthView>& views, int step_px) {
+  std::vector<double> medians_px;
+  for (size_t i = 1; i < views.size(); ++i) {
+    medians_px.push_back(Quantile(FlowsBetween(camera, views[i - 1], views[i], step_px), 0.5));
+  }
+  return {
+      Within("flow from picture to picture, median, px", Quantile(medians_px, 0.5), 15.0, 40.0)};
 }
 
 AuditFigures AuditPictures(const ImageRenderer& renderer, const SimulatedTour& tour,
@@ -194,14 +199,20 @@ AuditFigures AuditTour(const ImageRenderer& renderer, const TourSpec& spec, cons
                        const AuditTourOptions& options) {
   ROVIO_CHECK(options.num_pictures > 0 && options.depth_step_px > 0);
   const SimulatedTour tour = SimulateTour(spec, slip, seed);
-  AuditFigures figures = AuditViews(renderer, tour, options.depth_step_px);
+  const Camera& camera = renderer.camera();
+  const std::vector<DepthView> views =
+      RenderDepths(renderer.world(), camera, tour, options.depth_step_px);
+  AuditFigures figures = AuditViews(camera, views, options.depth_step_px);
   const auto append = [&figures](const AuditFigures& more) {
     figures.insert(figures.end(), more.begin(), more.end());
   };
   append(AuditPictures(renderer, tour, develop, options));
-  append(AuditMotion(renderer.camera(), tour));
+  append(AuditMotion(camera, tour));
   append(AuditCamera(renderer, develop));
-  if (develop.sensor == Sensor::kBayer) append(AuditSensor(develop));
+  if (develop.sensor == Sensor::kBayer) {
+    append(AuditSensor(develop));
+    append(AuditSteps(camera, views, options.depth_step_px));
+  }
   append(AuditOdometry(slip, seed));
   append({Within("odometry is seeded apart from the pictures (1: yes)",
                  OdometryStandsApart(spec, tour, seed), 1.0, 1.0)});

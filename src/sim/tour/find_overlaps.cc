@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "rovio_sfm/sim/world/render_image.h"
+
 namespace rovio_sfm::sim {
 namespace {
 
@@ -32,6 +34,17 @@ bool Sees(const Camera& camera, const Eigen::Vector3d& x_in_b, const cv::Mat& de
          x_in_b.z() < (1.0 + kDepthTolerance) * farthest;
 }
 
+// The point that a's sample shows, in a. Half a sample is far coarser than the lens distortion; a
+// pinhole serves here.
+Eigen::Vector3d PointOf(const Camera& camera, double depth_m, const Eigen::Vector2d& x_px) {
+  return {(x_px.x() - camera.cx) / camera.fx * depth_m,
+          (x_px.y() - camera.cy) / camera.fy * depth_m, depth_m};
+}
+
+Eigen::Vector2d PixelOfSample(int row, int col, int step_px) {
+  return {col * step_px + step_px / 2, row * step_px + step_px / 2};
+}
+
 double AxisAngle(const Rigid3& a, const Rigid3& b) {
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
   return std::acos(std::clamp((a.rotation * z).dot(b.rotation * z), -1.0, 1.0));
@@ -50,19 +63,37 @@ std::optional<ViewOverlap> Compare(const Camera& camera, const DepthView& a, con
 
 }  // namespace
 
-double CovisibleShare(const Camera& camera, const DepthView& a, const DepthView& b, int step_px) {
+std::vector<DepthView> RenderDepths(const World& world, const Camera& camera,
+                                    const SimulatedTour& tour, int step_px) {
+  std::vector<DepthView> views;
+  for (const TourFrame& frame : tour.frames) {
+    views.push_back(
+        {frame.world_from_camera, RenderDepth(world, camera, frame.world_from_camera, step_px)});
+  }
+  return views;
+}
+
+std::vector<double> FlowsBetween(const Camera& camera, const DepthView& a, const DepthView& b,
+                                 int step_px) {
   const Rigid3 b_from_a = Inverse(b.world_from_camera) * a.world_from_camera;
-  int shared = 0;
+  std::vector<double> flows_px;
   for (int row = 0; row < a.depth_m.rows; ++row) {
     for (int col = 0; col < a.depth_m.cols; ++col) {
-      const double depth = a.depth_m.at<float>(row, col);
-      const Eigen::Vector2d x_px(col * step_px + step_px / 2, row * step_px + step_px / 2);
-      // Half a sample is far coarser than the lens distortion; a pinhole serves here.
-      const Eigen::Vector3d x_in_a((x_px.x() - camera.cx) / camera.fx * depth,
-                                   (x_px.y() - camera.cy) / camera.fy * depth, depth);
-      if (depth > 0.0 && Sees(camera, b_from_a * x_in_a, b.depth_m, step_px)) ++shared;
+      const double depth_m = a.depth_m.at<float>(row, col);
+      const Eigen::Vector2d x_px = PixelOfSample(row, col, step_px);
+      const Eigen::Vector3d x_in_b = b_from_a * PointOf(camera, depth_m, x_px);
+      if (depth_m <= 0.0 || !Sees(camera, x_in_b, b.depth_m, step_px)) continue;
+      const Eigen::Vector2d moved_px(camera.fx * x_in_b.x() / x_in_b.z() + camera.cx,
+                                     camera.fy * x_in_b.y() / x_in_b.z() + camera.cy);
+      flows_px.push_back((moved_px - x_px).norm());
     }
   }
+  std::sort(flows_px.begin(), flows_px.end());
+  return flows_px;
+}
+
+double CovisibleShare(const Camera& camera, const DepthView& a, const DepthView& b, int step_px) {
+  const size_t shared = FlowsBetween(camera, a, b, step_px).size();
   return static_cast<double>(shared) / std::max(a.depth_m.rows * a.depth_m.cols, 1);
 }
 

@@ -21,7 +21,8 @@ namespace {
 constexpr int kDepthStep_px = 8;
 
 TourSpec LoadTourOf(const RenderTourOptions& options, const std::string& name) {
-  return LoadTour(options.config_folder + "/tours/" + name + ".yaml");
+  return WithLongerSteps(LoadTour(options.config_folder + "/tours/" + name + ".yaml"),
+                         options.steps);
 }
 
 SimulatedTour Simulate(const RenderTourOptions& options, const TourSpec& spec) {
@@ -46,9 +47,9 @@ std::vector<Output> OpenOutputs(const RenderTourOptions& options) {
   return outputs;
 }
 
-void RenderFrame(const ImageRenderer& renderer, const TourFrame& frame,
+void RenderFrame(const ImageRenderer& renderer, const Movers& movers, const TourFrame& frame,
                  const std::vector<Output>& outputs, size_t index, uint64_t seed) {
-  const cv::Mat light = renderer.Render(frame.motion, seed);
+  const cv::Mat light = renderer.Render(frame.motion, seed, movers.At(frame.time_s));
   for (const Output& output : outputs) {
     const cv::Mat picture = DevelopImage(light, frame.exposure, output.develop, seed);
     output.folder.WriteImage(index, EncodeJpeg(picture, output.develop));
@@ -56,27 +57,19 @@ void RenderFrame(const ImageRenderer& renderer, const TourFrame& frame,
 }
 
 void RenderImages(const RenderTourOptions& options, const ImageRenderer& renderer,
-                  const SimulatedTour& tour, const std::vector<Output>& outputs) {
+                  const Movers& movers, const SimulatedTour& tour,
+                  const std::vector<Output>& outputs) {
   Executor executor(options.num_threads > 1 ? options.num_threads : 0);
   Rng rng(options.seed ^ 0x70697865ULL);
   TaskGroup<void> frames(&executor);
   for (size_t i = 0; i < tour.frames.size(); ++i) {
     const uint64_t seed = rng.Next();
     const TourFrame& frame = tour.frames[i];
-    frames.Add(
-        [&renderer, &frame, &outputs, seed, i] { RenderFrame(renderer, frame, outputs, i, seed); });
+    frames.Add([&renderer, &movers, &frame, &outputs, seed, i] {
+      RenderFrame(renderer, movers, frame, outputs, i, seed);
+    });
   }
   while (frames.NumPending() > 0) frames.TakeNext();
-}
-
-std::vector<DepthView> RenderDepths(const World& world, const Camera& camera,
-                                    const SimulatedTour& tour) {
-  std::vector<DepthView> views;
-  for (const TourFrame& frame : tour.frames) {
-    views.push_back({frame.world_from_camera,
-                     RenderDepth(world, camera, frame.world_from_camera, kDepthStep_px)});
-  }
-  return views;
 }
 
 // Each pair list under the name of its file.
@@ -85,11 +78,11 @@ using NamedOverlaps = std::vector<std::pair<std::string, std::vector<ViewOverlap
 NamedOverlaps FindAllOverlaps(const RenderTourOptions& options, const World& world,
                               const Camera& camera, const TourSpec& spec,
                               const SimulatedTour& tour) {
-  const std::vector<DepthView> views = RenderDepths(world, camera, tour);
+  const std::vector<DepthView> views = RenderDepths(world, camera, tour, kDepthStep_px);
   NamedOverlaps overlaps{{"overlaps.txt", FindOverlaps(camera, views, kDepthStep_px)}};
   for (const std::string& name : spec.shares_with) {
     const SimulatedTour other = Simulate(options, LoadTourOf(options, name));
-    const std::vector<DepthView> others = RenderDepths(world, camera, other);
+    const std::vector<DepthView> others = RenderDepths(world, camera, other, kDepthStep_px);
     overlaps.emplace_back("overlaps_" + name + ".txt",
                           FindOverlaps(camera, views, others, kDepthStep_px));
   }
@@ -111,6 +104,7 @@ bool RenderTourOptions::IsValid(std::string* error) const {
   check.True("tour", !tour.empty() && tour.find('/') == std::string::npos, "the name of a tour");
   check.True("out_folder", !out_folder.empty(), "a folder");
   check.Range("max_frames", max_frames, 0, 100000);
+  check.Range("steps", steps, 0.1, 10.0);
   check.Range("num_threads", num_threads, 1, 64);
   check.Nested(render);
   check.Nested(develop);
@@ -128,7 +122,8 @@ int RenderTour(const RenderTourOptions& options) {
       InLight(LoadWorld(options.config_folder + "/worlds/" + spec.world + ".yaml"), options.light));
   const Camera camera = RovioCamera();
   const ImageRenderer renderer(world, camera, options.render);
-  RenderImages(options, renderer, tour, outputs);
+  const Movers movers = options.has_movers ? LoadMovers(spec, options.config_folder) : Movers();
+  RenderImages(options, renderer, movers, tour, outputs);
   const NamedOverlaps overlaps = FindAllOverlaps(options, world, camera, spec, tour);
   for (const Output& output : outputs) {
     WriteCalibrations(options, camera, output.folder);

@@ -1,5 +1,6 @@
 #include "rovio_sfm/sim/tour/tour.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -13,18 +14,30 @@
 namespace rovio_sfm::sim {
 namespace {
 
+Eigen::Vector2d ReadPoint(YamlMap* map, const char* key) {
+  const std::vector<double> point = map->Numbers(key, 2);
+  return {point[0], point[1]};
+}
+
 WayPoint ReadWayPoint(YamlMap map) {
   WayPoint point;
   point.x_m = map.Number("x_m");
   point.y_m = map.Number("y_m");
   point.yaw_rad = Radians(map.Number("yaw_deg"));
   point.frames = map.Integer("frames", 1);
-  if (map.Has("arc_center_m")) {
-    const std::vector<double> center_m = map.Numbers("arc_center_m", 2);
-    point.arc_center_m = Eigen::Vector2d(center_m[0], center_m[1]);
-  }
+  if (map.Has("arc_center_m")) point.arc_center_m = ReadPoint(&map, "arc_center_m");
   map.RefuseUnknownKeys();
   return point;
+}
+
+MoverSpec ReadMover(YamlMap map) {
+  MoverSpec mover;
+  mover.world = map.Text("world");
+  mover.from_m = ReadPoint(&map, "from_m");
+  mover.to_m = ReadPoint(&map, "to_m");
+  mover.speed_m_s = map.Number("speed_m_s", mover.speed_m_s);
+  map.RefuseUnknownKeys();
+  return mover;
 }
 
 // The pose at a share of the way between two way-points.
@@ -79,6 +92,7 @@ bool TourSpec::IsValid(std::string* error) const {
                EndsAtItsPoint(way_points[i - 1], way_points[i]),
                "a place on its arc (turned by the change of yaw)");
   }
+  for (const MoverSpec& mover : movers) check.Nested(mover);
   return check.Passed();
 }
 
@@ -96,6 +110,7 @@ TourSpec ParseTour(const std::string& yaml, const std::string& source) {
     tour.shares_with = map.Texts("shares_with");
     for (const YamlMap& item : map.List("way_points"))
       tour.way_points.push_back(ReadWayPoint(item));
+    for (const YamlMap& item : map.List("movers")) tour.movers.push_back(ReadMover(item));
     map.RefuseUnknownKeys();
     std::string error;
     if (!tour.IsValid(&error)) throw std::runtime_error(source + ": " + error);
@@ -111,6 +126,21 @@ TourSpec LoadTour(const std::string& path) {
   std::ostringstream text;
   text << file.rdbuf();
   return ParseTour(text.str(), path);
+}
+
+TourSpec WithLongerSteps(TourSpec tour, double times) {
+  for (WayPoint& point : tour.way_points) {
+    point.frames = std::max(1, static_cast<int>(std::lround(point.frames / times)));
+  }
+  return tour;
+}
+
+Movers LoadMovers(const TourSpec& tour, const std::string& config_folder) {
+  if (tour.movers.empty()) {
+    throw std::runtime_error("tour " + tour.name +
+                             ": movers: expected at least one, or no --movers");
+  }
+  return {tour.movers, config_folder + "/worlds"};
 }
 
 std::vector<PlanarPose> PlanTour(const TourSpec& tour, uint64_t seed) {

@@ -31,13 +31,51 @@ MotionTable TabulateMotion(const CameraMotion& motion) {
   return table;
 }
 
+struct Guest {
+  const World& world;
+  Eigen::Matrix3f rotation;  // guest from world
+  Vector3f translation;
+};
+
+std::vector<Guest> PrepareGuests(const std::vector<PlacedWorld>& placed) {
+  std::vector<Guest> guests;
+  for (const PlacedWorld& guest : placed) {
+    const Rigid3 guest_from_world = Inverse(guest.outer_from_world);
+    guests.push_back({*guest.world, guest_from_world.rotation.toRotationMatrix().cast<float>(),
+                      guest_from_world.translation.cast<float>()});
+  }
+  return guests;
+}
+
 // One rendering: everything that a row needs.
 struct Job {
   const ImageRenderer& renderer;
   const MotionTable poses;
+  const std::vector<Guest> guests;
   uint64_t seed;
   float spread_rad;
 };
+
+// Of the world, or of a guest that stands nearer.
+Vector3f RadianceOf(const Job& job, const Vector3f& origin, const Vector3f& direction,
+                    const RayHit& hit, const Eigen::Vector2f& chance) {
+  const Guest* nearest = nullptr;
+  RayHit nearest_hit = hit;
+  for (const Guest& guest : job.guests) {
+    const RayHit of_guest = guest.world.scene().Trace(guest.rotation * origin + guest.translation,
+                                                      guest.rotation * direction);
+    const bool is_nearer = nearest_hit.surface < 0 || of_guest.distance < nearest_hit.distance;
+    if (of_guest.surface < 0 || !is_nearer) continue;
+    nearest = &guest;
+    nearest_hit = of_guest;
+  }
+  if (nearest == nullptr) {
+    return job.renderer.world().Radiance(origin, direction, hit, job.spread_rad, chance);
+  }
+  return nearest->world.Radiance(nearest->rotation * origin + nearest->translation,
+                                 nearest->rotation * direction, nearest_hit, job.spread_rad,
+                                 chance);
+}
 
 struct Sample {
   int col;
@@ -84,9 +122,8 @@ void RenderRow(const Job& job, int row, cv::Mat* image) {
     job.renderer.world().scene().Trace(rays, hits.data());
     for (int i = 0; i < std::min(RayPacket::kSize, total - first); ++i) {
       const Sample& sample = samples[static_cast<size_t>(i)];
-      const Vector3f radiance = job.renderer.world().Radiance(rays.origins[i], rays.directions[i],
-                                                              hits[static_cast<size_t>(i)],
-                                                              job.spread_rad, sample.chance) /
+      const Vector3f radiance = RadianceOf(job, rays.origins[i], rays.directions[i],
+                                           hits[static_cast<size_t>(i)], sample.chance) /
                                 static_cast<float>(per_pixel);
       pixels[sample.col] += cv::Vec3f(radiance.x(), radiance.y(), radiance.z());
     }
@@ -114,10 +151,11 @@ ImageRenderer::ImageRenderer(const World& world, const Camera& camera, const Ren
   ROVIO_CHECK(options.IsValid(nullptr) && camera.IsValid(nullptr));
 }
 
-cv::Mat ImageRenderer::Render(const CameraMotion& motion, uint64_t seed) const {
+cv::Mat ImageRenderer::Render(const CameraMotion& motion, uint64_t seed,
+                              const std::vector<PlacedWorld>& guests) const {
   const float spread_rad =
       static_cast<float>(1.0 / (camera_.MeanFocal() * options_.samples_per_side));
-  const Job job{*this, TabulateMotion(motion), seed, spread_rad};
+  const Job job{*this, TabulateMotion(motion), PrepareGuests(guests), seed, spread_rad};
   cv::Mat image(camera_.height, camera_.width, CV_32FC3, cv::Scalar::all(0));
   for (int row = 0; row < camera_.height; ++row) RenderRow(job, row, &image);
   return image;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "rovio_sfm/sim/world/render_image.h"
 #include "sim/world/small_world.h"
 
@@ -33,6 +35,13 @@ TEST_F(Overlaps, ATurnedViewSharesLess) {
   const double share = CovisibleShare(SmallCamera(), view, turned, kStep_px);
   EXPECT_GT(share, 0.3);
   EXPECT_LT(share, 0.7);
+}
+
+TEST_F(Overlaps, FlowsAreThoseOfATurn) {
+  const DepthView view = ViewAt(0.6, 1.5, 0.0), turned = ViewAt(0.6, 1.5, 0.1);
+  EXPECT_NEAR(FlowsBetween(SmallCamera(), view, view, kStep_px).back(), 0.0, 1e-9);
+  const std::vector<double> flows_px = FlowsBetween(SmallCamera(), view, turned, kStep_px);
+  EXPECT_NEAR(flows_px.front(), 70.0 * std::tan(0.1), 0.3);  // in the middle, where it is least
 }
 
 TEST_F(Overlaps, OppositeViewsArePairsOfNothing) {

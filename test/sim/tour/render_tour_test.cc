@@ -75,6 +75,22 @@ TEST_F(RenderTours, AnotherLightChangesPicturesAndNothingElse) {
   }
 }
 
+TEST_F(RenderTours, MoversChangePicturesAndNothingElse) {
+  RenderTourOptions options = Options("a");
+  options.config_folder = ROVIO_SOURCE_DIR "/config";
+  options.tour = "visionlab";
+  options.max_frames = 1;
+  options.render.samples_per_side = 1;
+  RenderTour(options);
+  options.out_folder = temp_.Path() / "b";
+  options.has_movers = true;
+  RenderTour(options);
+  EXPECT_NE(ReadText(temp_.Path() / "a/images/000000.jpg"),
+            ReadText(temp_.Path() / "b/images/000000.jpg"));
+  EXPECT_EQ(ReadText(temp_.Path() / "a/groundtruth.txt"),
+            ReadText(temp_.Path() / "b/groundtruth.txt"));
+}
+
 TEST_F(RenderTours, NamesAMissingTour) {
   RenderTourOptions options = Options("a");
   options.tour = "nowhere";

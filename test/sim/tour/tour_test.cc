@@ -57,6 +57,26 @@ TEST(PlanTour, DependsOnTheSeed) {
   EXPECT_NE(PlanTour(tour, 1)[3].x_m, PlanTour(tour, 2)[3].x_m);
 }
 
+TEST(WithLongerSteps, GoesTheSameWayWithFewerPictures) {
+  TourSpec tour = ShippedTour("turntable");
+  tour.step_spread = 0.0;
+  const std::vector<PlanarPose> all = PlanTour(tour, 1),
+                                half = PlanTour(WithLongerSteps(tour, 2), 1);
+  EXPECT_NEAR(static_cast<double>(half.size()), 0.5 * static_cast<double>(all.size()), 2.0);
+  EXPECT_EQ(half.back().x_m, all.back().x_m);
+  EXPECT_EQ(PlanTour(WithLongerSteps(tour, 1e6), 1).size(), tour.way_points.size());
+}
+
+TEST(ParseTour, ReadsWhoWalks) {
+  const TourSpec tour = ParseTour(
+      SmallTourYaml() + "movers: [{world: person, from_m: [1, 2], to_m: [3, 4], speed_m_s: 0.5}]\n",
+      "f");
+  ASSERT_EQ(tour.movers.size(), 1u);
+  EXPECT_EQ(tour.movers[0].world, "person");
+  EXPECT_EQ(tour.movers[0].to_m, Eigen::Vector2d(3, 4));
+  EXPECT_THROW(LoadMovers(ParseTour(SmallTourYaml(), "f"), "."), std::runtime_error);
+}
+
 TEST(ParseTour, RefusesOneWayPoint) {
   EXPECT_THROW(ParseTour("{name: a, world: b, way_points: [{x_m: 0, y_m: 0, yaw_deg: 0}]}", "f"),
                std::runtime_error);

@@ -51,6 +51,23 @@ TEST_F(ImageRenderers, RollingShutterShowsTheFirstRowEarly) {
   EXPECT_LT(cv::norm(moved.row(0), still.row(0)), cv::norm(moved.row(47), still.row(47)));
 }
 
+TEST_F(ImageRenderers, GuestsHideWhatIsBehindThemAndAreHiddenThemselves) {
+  WorldSpec spec = SmallWorldSpec();
+  spec.objects = {spec.objects[1]};  // a crate
+  spec.objects[0].world_from_object = {Rigid3()};
+  const World crate(spec);
+  const auto differing = [&](const Eigen::Vector3d& at_m) {
+    const std::vector<PlacedWorld> guests{{&crate, {Eigen::Quaterniond::Identity(), at_m}}};
+    cv::Mat difference;
+    cv::absdiff(renderer_.Render(LookAhead(0.0), 1, guests), renderer_.Render(LookAhead(0.0), 1),
+                difference);
+    return cv::countNonZero(difference.reshape(1) > 0.0);
+  };
+  EXPECT_GT(differing({1.6, 1.2, 0.0}), 500);
+  EXPECT_EQ(differing({3.6, 1.2, 0.0}), 0);   // behind the wall
+  EXPECT_EQ(differing({-0.9, 1.2, 0.0}), 0);  // behind the camera
+}
+
 TEST_F(ImageRenderers, DepthIsAlongTheOpticalAxis) {
   const cv::Mat depth =
       RenderDepth(world_, SmallCamera(), LookAhead(0.0).world_from_camera_open, 4);

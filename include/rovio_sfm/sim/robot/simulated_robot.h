@@ -22,6 +22,7 @@ struct SimulatedRobotOptions {
   double exposure_period_s = 90.0;
   double shutter_s = 1.0 / 60.0;
   uint64_t seed = 1;
+  Movers movers;  // start with the robot's clock
   RenderOptions render;
   DevelopOptions develop;
   OmniDriveOptions drive;
@@ -61,8 +62,9 @@ class SimulatedRobot : public RobotBackend {
   bool SeesObstacle() const REQUIRES(mutex_);
   CameraMotion MotionDuring(int64_t open_ns, int64_t close_ns) const EXCLUDES(mutex_);
   const ImageRenderer& RendererFor(int resolution);
-  const cv::Mat& LightOf(const CameraMotion& motion, int resolution);
-  double ExposureAt(int64_t time_ns, int brightness) const;
+  const cv::Mat& LightOf(const CameraMotion& motion, int resolution, double elapsed_s);
+  double ElapsedAt(int64_t time_ns) const;  // s since the robot's clock started
+  double ExposureAt(double elapsed_s, int brightness) const;
 
   const World& world_;
   const SimulatedRobotOptions options_;

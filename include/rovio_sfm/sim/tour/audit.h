@@ -14,6 +14,7 @@ struct AuditOptions {
   std::string world;          // name of a file there, without .yaml; empty: the tour's own
   std::string tour;           // name of a file there, without .yaml
   uint64_t seed = 1;
+  double steps = 1.0;  // of WithLongerSteps
   RenderOptions render;
   DevelopOptions develop;
   SlipOptions slip;

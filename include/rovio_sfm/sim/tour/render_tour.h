@@ -16,8 +16,10 @@ struct RenderTourOptions {
   std::string clean_out_folder;  // if not empty: the same tour without noise, at almost no cost
   bool overwrite = false;
   uint64_t seed = 1;
-  int max_frames = 0;  // only the first so many; 0 means all
-  uint64_t light = 0;  // of InLight
+  int max_frames = 0;       // only the first so many; 0 means all
+  uint64_t light = 0;       // of InLight
+  double steps = 1.0;       // of WithLongerSteps, 0.1 … 10
+  bool has_movers = false;  // those of the tour walk
   // calibration.txt is what a calibration finds, calibration_true.txt what pictures were made with;
   // else calibration.txt is true.
   bool errs_in_calibration = false;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rovio_sfm/sim/robot/robot_body.h"
+#include "rovio_sfm/sim/world/mover.h"
 
 namespace rovio_sfm::sim {
 
@@ -27,6 +28,7 @@ struct TourSpec {
   double exposure = 1.0;        // gain on the world's light
   double exposure_stops = 1.7;  // range by which the light changes over the tour
   std::vector<WayPoint> way_points;
+  std::vector<MoverSpec> movers;         // who walks there, if it is wanted
   std::vector<std::string> shares_with;  // tours of the same world whose overlaps are written too
 
   bool IsValid(std::string* error) const;
@@ -37,6 +39,12 @@ TourSpec LoadTour(const std::string& path);
 
 // The same from text; source stands in the messages.
 TourSpec ParseTour(const std::string& yaml, const std::string& source);
+
+// The same way with fewer pictures, so that steps are about `times` as long; times > 0.
+TourSpec WithLongerSteps(TourSpec tour, double times);
+
+// The movers of a tour; throws std::runtime_error where it names none, or one cannot be read.
+Movers LoadMovers(const TourSpec& tour, const std::string& config_folder);
 
 // One pose per picture, jittered along the way and sideways by the seed.
 std::vector<PlanarPose> PlanTour(const TourSpec& tour, uint64_t seed);

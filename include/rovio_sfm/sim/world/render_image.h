@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <opencv2/core.hpp>
 #include <string>
+#include <vector>
 
 #include "rovio_sfm/geometry/camera.h"
 #include "rovio_sfm/geometry/rigid3.h"
 #include "rovio_sfm/sim/world/lens_table.h"
+#include "rovio_sfm/sim/world/mover.h"
 #include "rovio_sfm/sim/world/world.h"
 
 namespace rovio_sfm::sim {
@@ -39,7 +41,9 @@ class ImageRenderer {
 
   // What falls on the sensor: linear RGB (CV_32FC3), with lens distortion and motion blur, without
   // vignetting. The seed moves the samples within their strata; equal seeds give equal bytes.
-  cv::Mat Render(const CameraMotion& motion, uint64_t seed) const;
+  // Guests stand before and behind what is there, still while the shutter is open.
+  cv::Mat Render(const CameraMotion& motion, uint64_t seed,
+                 const std::vector<PlacedWorld>& guests = {}) const;
 
   const World& world() const { return world_; }
   const Camera& camera() const { return camera_; }
