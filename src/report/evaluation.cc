@@ -1,5 +1,6 @@
 #include "rovio_sfm/report/evaluation.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -65,6 +66,44 @@ void AddAbsoluteErrors(const std::vector<Compared>& compared, EvaluationReport* 
   report->rotation_rmse_deg = RootMeanSquare(angles_deg);
 }
 
+// The direction along which the true centres spread most.
+Eigen::Vector3d MainDirection(const std::vector<Compared>& compared) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Compared& c : compared) mean += c.world_from_cam.translation;
+  mean /= static_cast<double>(compared.size());
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Compared& c : compared) {
+    const Eigen::Vector3d off = c.world_from_cam.translation - mean;
+    spread += off * off.transpose();
+  }
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
+}
+
+// The least-squares angle about an axis between aligned and true orientations: what is left of each
+// turns about it by atan2(axis · vector part, scalar part) of its quaternion, twice.
+void AddRoll(const std::vector<Compared>& compared, EvaluationReport* report) {
+  const Eigen::Vector3d axis = MainDirection(compared);
+  std::vector<Eigen::Quaterniond> left;  // true from aligned, in the world
+  double along = 0.0, scalar = 0.0;
+  for (const Compared& c : compared) {
+    Eigen::Quaterniond turn =
+        c.world_from_cam.rotation *
+        (report->world_from_map.rotation * c.map_from_cam.rotation).conjugate();
+    if (turn.w() < 0.0) turn.coeffs() *= -1.0;
+    along += axis.dot(turn.vec());
+    scalar += turn.w();
+    left.push_back(turn);
+  }
+  const double roll = 2.0 * std::atan2(along, scalar);
+  const Eigen::Quaterniond back(Eigen::AngleAxisd(-roll, axis));
+  std::vector<double> angles_deg;
+  for (const Eigen::Quaterniond& turn : left) {
+    angles_deg.push_back(Degrees(RotationAngle(turn * back)));
+  }
+  report->roll_deg = Degrees(std::abs(roll));
+  report->rotation_rmse_after_roll_deg = RootMeanSquare(angles_deg);
+}
+
 double PathLength(const std::vector<Compared>& compared) {
   double length_m = 0.0;
   for (size_t i = 1; i < compared.size(); ++i) {
@@ -119,6 +158,7 @@ std::optional<EvaluationReport> EvaluateTrajectories(const std::vector<DriveEval
   report.scale_error = std::abs(world_from_map->scale - 1.0);
   report.path_length_m = PathLength(compared);
   AddAbsoluteErrors(compared, &report);
+  AddRoll(compared, &report);
   AddRelativeErrors(compared, &report);
   return report;
 }

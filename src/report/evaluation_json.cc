@@ -20,6 +20,8 @@ nlohmann::ordered_json EvaluationJson(const EvaluationReport& report, bool metri
   json["ate_p95_m"] = report.ate_p95_m;
   json["ate_max_m"] = report.ate_max_m;
   json["rotation_rmse_deg"] = report.rotation_rmse_deg;
+  json["roll_deg"] = report.roll_deg;
+  json["rotation_rmse_after_roll_deg"] = report.rotation_rmse_after_roll_deg;
   json["rpe_pairs"] = report.num_rpe_pairs;
   json["rpe_rmse_m"] = OrNull(report.rpe_rmse_m);
   json["rpe_rotation_rmse_deg"] = OrNull(report.rpe_rotation_rmse_deg);

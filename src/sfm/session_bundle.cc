@@ -47,6 +47,9 @@ class BundleBuilder {
  public:
   explicit BundleBuilder(const Session& session) : session_(session) {}
 
+  // All at once: a whole session's observations take 100 MB, and grown by doubling twice that.
+  void Reserve(size_t num_observations) { bundle_.problem.observations.reserve(num_observations); }
+
   void AddCamera(uint32_t frame, bool fixed) {
     cameras_[frame] = static_cast<uint32_t>(bundle_.frames.size());
     bundle_.frames.push_back(frame);
@@ -121,6 +124,11 @@ SessionBundle MakeGlobalBundle(const Session& session) {
   for (const auto& [index, frame] : session.keyframes()) {
     if (!frame.weak) builder.AddCamera(index, false);
   }
+  size_t num_observations = 0;
+  for (const auto& [id, landmark] : session.landmarks()) {
+    num_observations += landmark.observations.size();
+  }
+  builder.Reserve(num_observations);
   for (const auto& [id, landmark] : session.landmarks()) builder.AddLandmark(id, landmark);
   return builder.Take();
 }

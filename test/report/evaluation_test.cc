@@ -48,6 +48,24 @@ TEST(EvaluateTrajectories, FindsNoErrorInAnotherGauge) {
   EXPECT_NEAR(report->path_length_m, 99 * std::hypot(2.0 * std::sin(0.025), 0.01), 1e-9);
 }
 
+TEST(EvaluateTrajectories, SetsTheRollOfAStraightPathApart) {
+  std::vector<StampedPose> truth, estimate;
+  for (int i = 0; i < 50; ++i) {
+    const double sway = 0.002 * (i % 3);
+    truth.push_back(
+        {i * kStepNs, {Eigen::Quaterniond::Identity(), {0.1 * i, sway, sway * (i % 2)}}});
+    estimate.push_back(truth.back());
+    const Eigen::Quaterniond rolled(Eigen::AngleAxisd(0.05, Eigen::Vector3d::UnitX()));
+    const Eigen::Quaterniond pitched(Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitY()));
+    estimate.back().reference_from_body.rotation = rolled * pitched;
+  }
+  const auto report = EvaluateTrajectories({{estimate, truth}});
+  ASSERT_TRUE(report.has_value());
+  EXPECT_NEAR(report->roll_deg, 0.05 * 180 / M_PI, 1e-2);
+  EXPECT_NEAR(report->rotation_rmse_after_roll_deg, 0.01 * 180 / M_PI, 1e-2);
+  EXPECT_GT(report->rotation_rmse_deg, 2.8);
+}
+
 TEST(EvaluateTrajectories, MeasuresErrorsInMetresAndDegrees) {
   const auto truth = Helix(1000);
   auto estimate = truth;

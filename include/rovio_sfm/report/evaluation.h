@@ -25,6 +25,9 @@ struct EvaluationReport {
   Sim3 world_from_map;
   double ate_rmse_m = 0.0, ate_p95_m = 0.0, ate_max_m = 0.0;  // camera centres
   double rotation_rmse_deg = 0.0;
+  // About the main direction of the true path, which centres alone leave free on a straight one:
+  // the roll that all orientations together ask for, and what is left of the rotations after it.
+  double roll_deg = 0.0, rotation_rmse_after_roll_deg = 0.0;
   size_t num_rpe_pairs = 0;
   std::optional<double> rpe_rmse_m, rpe_rotation_rmse_deg;  // over a second; none without pairs
   double path_length_m = 0.0;  // of the true centres of the compared images, all drives together
