@@ -1,6 +1,7 @@
 """The lines about a mapping node that is killed, or whose disk is full or cannot be written."""
 
 import json
+import re
 import tempfile
 
 from acceptance.common import PROGRAMS, ROOT, Line, fresh_folder
@@ -36,8 +37,8 @@ def read_only(_quick):
     with disk("size=1m,ro") as folder, tempfile.TemporaryDirectory() as home, master(home) as env, \
             Running("mapping", f"_output_dir:={folder}", env=env) as node:
         status, _ = node.ended()
-        said = [line for line in node.said().splitlines() if str(folder) in line]
-    return status == 1 and bool(said), f"exit status {status}: {said[-1] if said else node}"
+        said = re.findall(rf"{re.escape(str(folder))}[^\x1b\n]*", node.said())
+    return status == 1 and bool(said), f"exit status {status}: {said[-1] if said else node.said()[-300:]}"
 
 
 LINES = [
