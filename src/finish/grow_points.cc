@@ -106,7 +106,7 @@ void AddToPart(const MapModel& model, size_t index, const FeatureNoise& noise, D
   for (const ModelView& view : point.views) {
     const PointView seen = SeenFrom(model, view, noise);
     if (!((seen.cam_from_map * point.x_in_map).z() > 0.0)) continue;
-    part->problem.observations.push_back({view.image, number, seen.x_normalized, seen.sigma});
+    part->problem.observations.push_back({view.image, number, seen.sigma, seen.x_normalized});
   }
 }
 

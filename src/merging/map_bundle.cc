@@ -165,7 +165,7 @@ void MapBundle::AddObservation(uint32_t camera, uint32_t landmark,
   const uint32_t point = point_of_[landmark];
   const Rigid3& cam_from_map = problem_.cameras[camera].cam_from_map;
   if (!((cam_from_map * problem_.points[point]).z() > kMinDepth)) return;
-  problem_.observations.push_back({camera, point, x_normalized, sigma});
+  problem_.observations.push_back({camera, point, sigma, x_normalized});
 }
 
 // How far the first session's cameras go from its first one.

@@ -48,7 +48,7 @@ Window Cut(const BundleProblem& whole, size_t first, size_t end) {
       window.problem.points.push_back(whole.points[observation.point]);
     }
     window.problem.observations.push_back(
-        {camera, point, observation.x_normalized, observation.sigma});
+        {camera, point, observation.sigma, observation.x_normalized});
   }
   return window;
 }

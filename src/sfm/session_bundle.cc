@@ -66,8 +66,8 @@ class BundleBuilder {
       const Keyframe& frame = session_.keyframe(observation.frame);
       if (!((frame.cam_from_session * landmark.position).z() > 1e-6)) continue;
       bundle_.problem.observations.push_back({camera->second, point,
-                                              frame.points[observation.feature],
-                                              frame.sigmas[observation.feature]});
+                                              frame.sigmas[observation.feature],
+                                              frame.points[observation.feature]});
       any = true;
     }
     if (!any) return;

@@ -33,7 +33,7 @@ inline BundleProblem MakeProblem(const SyntheticWorld& world) {
     for (const SyntheticView& view : world.views[cam]) {
       if (session.FindLandmark(TrackOfPoint(view.point)) == nullptr) continue;  // seen once
       problem.observations.push_back(
-          {cam, view.point, view.x_normalized, 1.0 / world.camera.MeanFocal()});
+          {cam, view.point, 1.0 / world.camera.MeanFocal(), view.x_normalized});
     }
   }
   return problem;

@@ -18,8 +18,8 @@ struct BundleCamera {
 struct BundleObservation {
   uint32_t camera = 0;  // into BundleProblem::cameras
   uint32_t point = 0;   // into BundleProblem::points
+  double sigma = 1.0;   // normalised units
   Eigen::Vector2d x_normalized = Eigen::Vector2d::Zero();
-  double sigma = 1.0;  // normalised units
 };
 
 // Cameras, points and who sees whom; a copy that may be solved on any thread.
