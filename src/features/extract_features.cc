@@ -7,6 +7,9 @@
 
 #include "rovio_sfm/features/root_sift.h"
 #include "rovio_sfm/features/select_keypoints.h"
+#include "rovio_sfm/features/sift_descriptors.h"
+#include "rovio_sfm/features/sift_keypoints.h"
+#include "rovio_sfm/features/sift_octaves.h"
 #include "rovio_sfm/features/surf_features.h"
 #include "rovio_sfm/util/check.h"
 #include "rovio_sfm/util/degrees.h"
@@ -14,11 +17,7 @@
 namespace rovio_sfm {
 namespace {
 
-// OpenCV 4.6 doubles the image without the half-pixel shift of the grid: every SIFT position comes
-// out 0.25 px too large, in all octaves.
-constexpr float kSiftShiftPx = 0.25f;
-
-// Keypoints in the detector's own coordinates, with descriptors row by row.
+// Keypoints in pixels, with descriptors row by row.
 struct Described {
   std::vector<cv::KeyPoint> keypoints;
   Descriptors descriptors;
@@ -34,31 +33,14 @@ SelectOptions SelectOptionsFrom(const ExtractOptions& options) {
   return select;
 }
 
-// OpenCV packs the octave into the low byte of KeyPoint::octave, signed.
-int SiftOctave(const cv::KeyPoint& keypoint) { return static_cast<int8_t>(keypoint.octave & 255); }
-
-std::vector<cv::KeyPoint> DetectSift(const cv::Mat& grey, const ExtractOptions& options) {
-  const auto detector = cv::SIFT::create(0, 3, options.sift_contrast, options.sift_edge, 1.6);
-  std::vector<cv::KeyPoint> candidates;
-  detector->detect(grey, candidates);
-  if (!options.upsample) {
-    candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                                    [](const auto& k) { return SiftOctave(k) < 0; }),
-                     candidates.end());
-  }
-  return SelectKeypoints(candidates, grey.size(), SelectOptionsFrom(options));
-}
-
 Described ExtractSift(const cv::Mat& grey, const ExtractOptions& options) {
-  Described described{DetectSift(grey, options), {}};
-  cv::Mat sift;
-  if (!described.keypoints.empty()) {
-    cv::SIFT::create()->compute(grey, described.keypoints, sift);
-  }
-  described.descriptors = RootSiftFromSift(sift);
-  for (cv::KeyPoint& keypoint : described.keypoints) {
-    keypoint.pt -= cv::Point2f(kSiftShiftPx, kSiftShiftPx);
-  }
+  const std::vector<SiftOctave> octaves = BuildSiftOctaves(grey, options.upsample);
+  Described described;
+  described.keypoints =
+      SelectKeypoints(FindSiftKeypoints(octaves, {options.sift_contrast, options.sift_edge}),
+                      grey.size(), SelectOptionsFrom(options));
+  OrientSift(octaves, &described.keypoints);
+  described.descriptors = RootSiftFromSift(DescribeSift(octaves, described.keypoints));
   return described;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "rovio_sfm/sfm/reprojection_cost.h"
@@ -55,13 +56,31 @@ Gauge ChooseGauge(const BundleProblem& problem) {
   return gauge;
 }
 
-void AddObservations(BundleProblem* problem, const BundleOptions& options,
+using Costs = std::vector<std::unique_ptr<ceres::CostFunction>>;
+
+Costs CostsOf(const BundleProblem& problem) {
+  Costs costs;
+  costs.reserve(problem.observations.size());
+  for (const BundleObservation& observation : problem.observations) {
+    costs.emplace_back(MakeReprojectionCost(observation.x_normalized, observation.sigma));
+  }
+  return costs;
+}
+
+// The costs and the loss stay the caller's: Ceres keeps no account of each.
+ceres::Problem::Options ProblemOptions() {
+  ceres::Problem::Options options;
+  options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  options.disable_all_safety_checks = true;
+  return options;
+}
+
+void AddObservations(BundleProblem* problem, ceres::LossFunction* loss, const Costs& costs,
                      std::vector<PoseBlock>* poses, ceres::Problem* solver) {
-  ceres::LossFunction* loss =
-      options.loss_sigmas > 0.0 ? new ceres::CauchyLoss(options.loss_sigmas) : nullptr;
-  for (const BundleObservation& observation : problem->observations) {
-    solver->AddResidualBlock(MakeReprojectionCost(observation.x_normalized, observation.sigma),
-                             loss, (*poses)[observation.camera].data(),
+  for (size_t i = 0; i < problem->observations.size(); ++i) {
+    const BundleObservation& observation = problem->observations[i];
+    solver->AddResidualBlock(costs[i].get(), loss, (*poses)[observation.camera].data(),
                              problem->points[observation.point].data());
   }
 }
@@ -134,8 +153,11 @@ BundleReport AdjustBundle(BundleProblem* problem, const BundleOptions& options) 
   const std::vector<Eigen::Vector3d> points_before = problem->points;
   const Gauge gauge = ChooseGauge(*problem);
 
-  ceres::Problem solver;
-  AddObservations(problem, options, &poses, &solver);
+  const Costs costs = CostsOf(*problem);
+  std::optional<ceres::CauchyLoss> loss;
+  if (options.loss_sigmas > 0.0) loss.emplace(options.loss_sigmas);
+  ceres::Problem solver(ProblemOptions());
+  AddObservations(problem, loss ? &*loss : nullptr, costs, &poses, &solver);
   SetGauge(gauge, &poses, &solver);
   ceres::Solver::Options solver_options = SolverOptions(options, gauge, &give_up);
   solver_options.linear_solver_ordering = MakeOrdering(&problem->points, &poses, solver);

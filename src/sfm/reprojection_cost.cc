@@ -13,6 +13,7 @@ using RowMajor2x7 = Eigen::Matrix<double, 2, kPoseSize, Eigen::RowMajor>;
 using RowMajor2x3 = Eigen::Matrix<double, 2, 3, Eigen::RowMajor>;
 
 constexpr double kMinDepth = 1e-9;
+constexpr int kTangentSize = 6;  // always: Ceres is fast where all cameras have the same
 
 Eigen::Matrix3d CrossMatrix(const Eigen::Vector3d& v) {
   Eigen::Matrix3d m;
@@ -63,7 +64,7 @@ class PoseManifold final : public ceres::Manifold {
   explicit PoseManifold(int fixed_component) : fixed_component_(fixed_component) {}
 
   int AmbientSize() const override { return kPoseSize; }
-  int TangentSize() const override { return fixed_component_ < 0 ? 6 : 5; }
+  int TangentSize() const override { return kTangentSize; }
 
   bool Plus(const double* x, const double* delta, double* x_plus_delta) const override {
     const Eigen::Vector3d w(delta[0], delta[1], delta[2]);
@@ -72,20 +73,19 @@ class PoseManifold final : public ceres::Manifold {
                                               : Eigen::AngleAxisd::Identity());
     Eigen::Map<Eigen::Quaterniond> rotation(x_plus_delta);
     rotation = (step * Eigen::Map<const Eigen::Quaterniond>(x)).normalized();
-    for (int i = 0, j = 3; i < 3; ++i) {
-      x_plus_delta[4 + i] = x[4 + i] + (i == fixed_component_ ? 0.0 : delta[j++]);
+    for (int i = 0; i < 3; ++i) {
+      x_plus_delta[4 + i] = x[4 + i] + (i == fixed_component_ ? 0.0 : delta[3 + i]);
     }
     return true;
   }
 
-  // Selects the tangent columns that MakeReprojectionCost filled; see there.
+  // Selects the columns that MakeReprojectionCost filled, see there; that of the fixed component
+  // is zero.
   bool PlusJacobian(const double*, double* jacobian) const override {
-    Eigen::Map<Eigen::Matrix<double, kPoseSize, Eigen::Dynamic, Eigen::RowMajor>> select(
-        jacobian, kPoseSize, TangentSize());
+    Eigen::Map<Eigen::Matrix<double, kPoseSize, kTangentSize, Eigen::RowMajor>> select(jacobian);
     select.setZero();
-    for (int row = 0, column = 0; row < 6; ++row) {
-      if (row != 3 + fixed_component_ || fixed_component_ < 0) select(row, column++) = 1.0;
-    }
+    select.topRows<kTangentSize>().setIdentity();
+    if (fixed_component_ >= 0) select(3 + fixed_component_, 3 + fixed_component_) = 0.0;
     return true;
   }
 
@@ -93,18 +93,17 @@ class PoseManifold final : public ceres::Manifold {
     const Eigen::Map<const Eigen::Quaterniond> after(y), before(x);
     const Eigen::AngleAxisd step(after * before.conjugate());
     Eigen::Map<Eigen::Vector3d>{y_minus_x} = step.angle() * step.axis();
-    for (int i = 0, j = 3; i < 3; ++i) {
-      if (i != fixed_component_) y_minus_x[j++] = y[4 + i] - x[4 + i];
+    for (int i = 0; i < 3; ++i) {
+      y_minus_x[3 + i] = i == fixed_component_ ? 0.0 : y[4 + i] - x[4 + i];
     }
     return true;
   }
 
   bool MinusJacobian(const double* x, double* jacobian) const override {
-    Eigen::Matrix<double, kPoseSize, Eigen::Dynamic, Eigen::RowMajor> plus(kPoseSize,
-                                                                           TangentSize());
+    Eigen::Matrix<double, kPoseSize, kTangentSize, Eigen::RowMajor> plus;
     PlusJacobian(x, plus.data());
-    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, kPoseSize, Eigen::RowMajor>>(
-        jacobian, TangentSize(), kPoseSize) = plus.transpose();
+    Eigen::Map<Eigen::Matrix<double, kTangentSize, kPoseSize, Eigen::RowMajor>>{jacobian} =
+        plus.transpose();
     return true;
   }
 

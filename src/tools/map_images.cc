@@ -12,6 +12,7 @@
 #include "rovio_sfm/app/place_model_option.h"
 #include "rovio_sfm/io/dataset_folder.h"
 #include "rovio_sfm/io/text_file.h"
+#include "rovio_sfm/util/keep_memory.h"
 #include "rovio_sfm/util/steady_clock.h"
 #include "rovio_sfm/util/stop_signals.h"
 
@@ -151,6 +152,7 @@ int MapImagesCommand(int argc, const char* const* argv, std::ostream& out) {
   Declare(&arguments, &app);
   if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
   cv::setNumThreads(1);  // the threads are ours
+  KeepFreedMemory();
   CompleteMappingArguments(&arguments);
   RefuseOlderResults(arguments);
   const std::vector<DatasetFolder> datasets = ReadFolders(arguments);

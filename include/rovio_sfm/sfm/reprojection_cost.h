@@ -20,8 +20,8 @@ using PoseBlock = std::array<double, kPoseSize>;
 ceres::CostFunction* MakeReprojectionCost(const Eigen::Vector2d& x_normalized, double sigma);
 
 // rotation <- Exp(w) * rotation, translation <- translation + v. With fixed_component 0, 1 or 2
-// that component of the translation stays (the scale gauge of an adjustment); with -1 none does.
-// The caller owns the result.
+// that component of the translation stays (the scale gauge of an adjustment) and of v counts for
+// nothing; with -1 none does. The caller owns the result.
 ceres::Manifold* MakePoseManifold(int fixed_component);
 
 }  // namespace rovio_sfm

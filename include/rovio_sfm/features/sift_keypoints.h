@@ -1,0 +1,21 @@
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "rovio_sfm/features/sift_octaves.h"
+
+namespace rovio_sfm {
+
+struct SiftKeypointOptions {
+  double contrast = 0.004;  // least, of a full one, times kSiftLayers
+  double edge = 10.0;       // greatest ratio of the curvatures
+};
+
+// The extrema of the differences of neighbouring images, refined below a pixel (Lowe 2004), in
+// pixels of the picture, without an angle. `octave` and `class_id` of a keypoint say which octave
+// and which of its images it is from; `size` is twice its scale.
+std::vector<cv::KeyPoint> FindSiftKeypoints(const std::vector<SiftOctave>& octaves,
+                                            const SiftKeypointOptions& options);
+
+}  // namespace rovio_sfm
