@@ -12,7 +12,9 @@
 namespace rovio_sfm {
 namespace {
 
-constexpr size_t kMaxDenseCameras = 150;  // up to here a dense Schur complement is faster
+constexpr size_t kMaxDenseCameras = 150;      // up to here a dense Schur complement is faster
+constexpr size_t kMaxConnectedCameras = 600;  // their matrix takes 100 MB
+constexpr double kMinConnectedShare = 0.25;
 
 PoseBlock ToBlock(const Rigid3& cam_from_map) {
   const auto& q = cam_from_map.rotation;
@@ -121,13 +123,43 @@ class GiveUp : public ceres::IterationCallback {
   std::function<bool()> is_given_up_;
 };
 
-ceres::Solver::Options SolverOptions(const BundleOptions& options, const Gauge& gauge,
-                                     GiveUp* give_up) {
-  ceres::Solver::Options solver_options;
+// Of the pairs of free cameras, those that see a point together.
+double ConnectedShare(const BundleProblem& problem, const Gauge& gauge, size_t num_free) {
+  std::vector<std::vector<uint32_t>> seen_by(problem.points.size());
+  for (const BundleObservation& observation : problem.observations) {
+    if (!gauge.fixed[observation.camera]) seen_by[observation.point].push_back(observation.camera);
+  }
+  const size_t num_cameras = problem.cameras.size();
+  std::vector<bool> is_connected(num_cameras * num_cameras, false);
+  size_t num_connected = 0;
+  for (const std::vector<uint32_t>& cameras : seen_by) {
+    for (const uint32_t a : cameras) {
+      for (const uint32_t b : cameras) {
+        if (a >= b || is_connected[a * num_cameras + b]) continue;
+        is_connected[a * num_cameras + b] = true;
+        ++num_connected;
+      }
+    }
+  }
+  return 2.0 * static_cast<double>(num_connected) /
+         (static_cast<double>(num_free) * static_cast<double>(num_free - 1));
+}
+
+// Whether a full matrix of all cameras is faster than a sparse one: there are few cameras, or most
+// see something together (a desk, a turntable), so that the factor fills up.
+bool IsDense(const BundleProblem& problem, const Gauge& gauge) {
   const auto num_free =
       static_cast<size_t>(std::count(gauge.fixed.begin(), gauge.fixed.end(), false));
+  if (num_free <= kMaxDenseCameras) return true;
+  return num_free <= kMaxConnectedCameras &&
+         ConnectedShare(problem, gauge, num_free) >= kMinConnectedShare;
+}
+
+ceres::Solver::Options SolverOptions(const BundleProblem& problem, const BundleOptions& options,
+                                     const Gauge& gauge, GiveUp* give_up) {
+  ceres::Solver::Options solver_options;
   solver_options.linear_solver_type =
-      num_free <= kMaxDenseCameras ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
+      IsDense(problem, gauge) ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
   solver_options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
   solver_options.dense_linear_algebra_library_type = ceres::EIGEN;
   solver_options.num_threads = 1;
@@ -159,7 +191,7 @@ BundleReport AdjustBundle(BundleProblem* problem, const BundleOptions& options) 
   ceres::Problem solver(ProblemOptions());
   AddObservations(problem, loss ? &*loss : nullptr, costs, &poses, &solver);
   SetGauge(gauge, &poses, &solver);
-  ceres::Solver::Options solver_options = SolverOptions(options, gauge, &give_up);
+  ceres::Solver::Options solver_options = SolverOptions(*problem, options, gauge, &give_up);
   solver_options.linear_solver_ordering = MakeOrdering(&problem->points, &poses, solver);
   ceres::Solver::Summary summary;
   ceres::Solve(solver_options, &solver, &summary);
