@@ -13,6 +13,7 @@
 #include "rovio_sfm/io/write_file.h"
 #include "rovio_sfm/tools/place_trial.h"
 #include "rovio_sfm/util/check_options.h"
+#include "rovio_sfm/util/keep_memory.h"
 
 namespace rovio_sfm {
 namespace {
@@ -259,6 +260,7 @@ int EvaluatePlacesCommand(int argc, const char* const* argv, std::ostream& out) 
   Declare(&arguments, &app);
   if (const std::optional<int> status = ParseArguments(&app, argc, argv, out)) return *status;
   cv::setNumThreads(1);  // the threads are ours
+  KeepFreedMemory();
   CheckArguments(&arguments);
   Evaluate(arguments, out);
   return 0;
