@@ -1,6 +1,7 @@
 #include "rovio_sfm/app/mapper.h"
 
 #include "rovio_sfm/mapping/make_keyframe.h"
+#include "rovio_sfm/merging/match_across_break.h"
 #include "rovio_sfm/merging/share_scales.h"
 #include "rovio_sfm/report/collect_model.h"
 #include "rovio_sfm/report/measure_odometry_delay.h"
@@ -57,8 +58,10 @@ MapperReport Mapper::Add(const FrameEvent& event) {
     const auto scope = MeasureStage(context_.times, "merge");
     keeper_.CountKeyframe();
   }
+  const SessionId started = StartedSession(*drive);
   MapperReport report = drive->Add(event);
   if (report.outcome == MapperOutcome::kHeld) TrySeed(event.id.drive);
+  if (!(StartedSession(*drive) == started)) MatchWithLost(StartedSession(*drive));
   if (report.outcome == MapperOutcome::kHeld || report.outcome == MapperOutcome::kKeyframe) {
     const auto scope = MeasureStage(context_.times, "merge");
     keeper_.Advance();
@@ -100,22 +103,46 @@ void Mapper::TrySeed(const DriveId& drive) {
   if (!matches.empty()) mapper.Seed(matches);
 }
 
+// The drive's current session, if it has begun; else none, 0.
+SessionId Mapper::StartedSession(const DriveMapper& drive) const {
+  const SessionId session = drive.current_session();
+  return keeper_.sessions().Find(session)->keyframes().empty() ? SessionId{} : session;
+}
+
+// A session that begins where the one before was lost overlaps with it by the frontend's matches.
+void Mapper::MatchWithLost(SessionId session) {
+  const Session* after = keeper_.sessions().Find(session);
+  if (after == nullptr) return;
+  const Session* before = nullptr;
+  for (const auto& [id, other] : keeper_.sessions().all()) {
+    const bool precedes = id < session && other->drive() == after->drive();
+    if (precedes && !other->keyframes().empty()) before = other.get();
+  }
+  if (before == nullptr || before->state() != SessionState::kLost) return;
+  for (const PlaceMatch& match : MatchAcrossBreak(*before, *after)) Add(match);
+}
+
+// Closes the drive's current session, which may begin with that.
+void Mapper::FinishDrive(const DriveId& id) {
+  DriveMapper& drive = *drives_.at(id);
+  const SessionId started = StartedSession(drive);
+  TrySeed(id);
+  drive.Finish();
+  if (!(StartedSession(drive) == started)) MatchWithLost(StartedSession(drive));
+}
+
 bool Mapper::FinishSession(const DriveId& drive) {
   const auto it = drives_.find(drive);
   if (it == drives_.end()) return false;
-  TrySeed(drive);
   const SessionId session = it->second->current_session();
-  it->second->Finish();
+  FinishDrive(drive);
   // A drive that began and posed nothing has changed no map.
   if (!keeper_.sessions().all().at(session)->keyframes().empty()) AdjustMaps(session);
   return true;
 }
 
 void Mapper::Finish() {
-  for (const auto& [id, drive] : drives_) {
-    TrySeed(id);
-    drive->Finish();
-  }
+  for (const auto& [id, drive] : drives_) FinishDrive(id);
   AdjustMaps(std::nullopt);
   keeper_.GiveUpWaiting();
 }

@@ -34,12 +34,23 @@ bool IsInside(const Camera& camera, const Eigen::Vector2d& x_normalized, double 
          pixel.x() <= camera.width - 1 - margin_px && pixel.y() <= camera.height - 1 - margin_px;
 }
 
+bool MayBeVisible(const NearestView& view, const SearchAcrossOptions& options) {
+  return view.angle_rad <= options.max_wide_angle_rad &&
+         view.distance_ratio <= options.max_distance_ratio &&
+         view.distance_ratio >= 1.0 / options.max_distance_ratio;
+}
+
 bool IsExpected(const NearestView& view, const Landmark& landmark,
                 const SearchAcrossOptions& options) {
-  return view.angle_rad <= options.max_view_angle_rad &&
-         view.distance_ratio <= options.max_distance_ratio &&
-         view.distance_ratio >= 1.0 / options.max_distance_ratio &&
+  return MayBeVisible(view, options) && view.angle_rad <= options.max_view_angle_rad &&
          landmark.observations.size() >= static_cast<size_t>(options.min_views);
+}
+
+void Count(bool is_expected, bool is_wide, bool is_found, AcrossReport* report) {
+  report->num_expected += is_expected ? 1 : 0;
+  report->num_found += is_expected && is_found ? 1 : 0;
+  report->num_wide += is_wide ? 1 : 0;
+  report->num_wide_found += is_wide && is_found ? 1 : 0;
 }
 
 bool IsSeenIn(const Landmark& landmark, const FrameRange& range) {
@@ -90,8 +101,7 @@ AcrossReport SearchAcross(const Session& a, const FrameRange& range_a, const Ses
     if (!IsSeenIn(landmark, range_a)) continue;
     if (&a == &b && IsSeenIn(landmark, {frame_b, frame_b})) {
       const bool counts = landmark.observations.size() >= static_cast<size_t>(options.min_views);
-      report.num_expected += counts ? 1 : 0;
-      report.num_found += counts ? 1 : 0;
+      Count(counts, true, true, &report);
       continue;
     }
     const auto predicted = Predict(cam_from_a, landmark, b.camera(), options.radius_px);
@@ -99,11 +109,10 @@ AcrossReport SearchAcross(const Session& a, const FrameRange& range_a, const Ses
     const NearestView view = FindNearestView(a, landmark, OriginInA(cam_from_a));
     const uint8_t* appearance = reader_a.Row(view.observation, descriptors->length);
     if (appearance == nullptr) continue;
-    const bool expected = IsExpected(view, landmark, options);
-    report.num_expected += expected ? 1 : 0;
     const std::optional<uint32_t> feature = FindFeature(window, *predicted, appearance);
+    Count(IsExpected(view, landmark, options), MayBeVisible(view, options), feature.has_value(),
+          &report);
     if (!feature) continue;
-    report.num_found += expected ? 1 : 0;
     report.links.push_back(
         {{a.id(), view.observation.frame, view.observation.feature}, {b.id(), frame_b, *feature}});
   }

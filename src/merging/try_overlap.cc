@@ -8,6 +8,7 @@
 
 #include "rovio_sfm/merging/align_overlap.h"
 #include "rovio_sfm/merging/map_bundle.h"
+#include "rovio_sfm/merging/match_across_break.h"
 
 namespace rovio_sfm {
 namespace {
@@ -148,6 +149,17 @@ std::vector<double> NeighbourScales(const Session& a, const Session& b, const Ov
   return log_scales;
 }
 
+// Whether the frontend itself matched the two frames, as it does with those that follow one another
+// in a drive: what they show is one place, so that an alignment that is certain needs no more
+// proof.
+bool IsContinuation(const Session& a, const Session& b, const MergeReport& report,
+                    const MapOptions& options) {
+  return &a != &b &&
+         report.num_inliers >= static_cast<uint32_t>(options.merge.evidence.min_inliers) &&
+         report.sigma_log_scale <= options.merge.max_scale_gap &&
+         CountSharedTracks(a, report.other.index, b, report.query.index) >= kMinSharedTracks;
+}
+
 // Judges by what the query frame shows of the other session's landmarks.
 void Judge(const Session& a, const Session& b, const std::vector<double>& neighbour_log_scales,
            const MapOptions& options, const FrameStore& store, OverlapTrial* trial) {
@@ -163,10 +175,17 @@ void Judge(const Session& a, const Session& b, const std::vector<double>& neighb
   evidence.inliers = InliersOf(a, b, *trial);
   evidence.num_visible = static_cast<int>(seen.num_expected);
   evidence.num_visible_matched = static_cast<int>(seen.num_found);
+  evidence.num_wide = static_cast<int>(seen.num_wide);
+  evidence.num_wide_matched = static_cast<int>(seen.num_wide_found);
   evidence.neighbour_log_scales = neighbour_log_scales;
   const EvidenceVerdict verdict = JudgeOverlap(evidence, options.merge.evidence);
   report.verdict = verdict.verdict;
   report.reason = verdict.text;
+  const bool is_open = verdict.verdict == MergeVerdict::kProvisional &&
+                       verdict.reason != EvidenceReason::kNeighboursDisagree;
+  if (!is_open || !IsContinuation(a, b, report, options)) return;
+  report.verdict = MergeVerdict::kAccepted;
+  report.reason = "frames that follow one another in a drive; " + verdict.text;
 }
 
 }  // namespace

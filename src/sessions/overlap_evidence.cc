@@ -75,26 +75,35 @@ double OffPlaneShare(const std::vector<EvidenceInlier>& inliers, double max_erro
   return inliers.empty() ? 0.0 : static_cast<double>(num_off) / static_cast<double>(inliers.size());
 }
 
+double Share(int part, int whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
 EvidenceVerdict Measure(const OverlapEvidence& evidence, const EvidenceOptions& options) {
   EvidenceVerdict verdict;
   verdict.num_inliers = static_cast<int>(evidence.inliers.size());
   MeasureSpread(evidence, options.grid_size, &verdict);
   verdict.depth_ratio = DepthRatio(evidence.inliers);
   verdict.off_plane_share = OffPlaneShare(evidence.inliers, options.max_plane_error);
-  if (evidence.num_visible > 0) {
-    verdict.matched_share = static_cast<double>(evidence.num_visible_matched) /
-                            static_cast<double>(evidence.num_visible);
-  }
+  verdict.matched_share = Share(evidence.num_visible_matched, evidence.num_visible);
+  verdict.wide_share = Share(evidence.num_wide_matched, evidence.num_wide);
   std::vector<double> gaps;
   for (const double gap : evidence.neighbour_log_scales) gaps.push_back(std::abs(gap));
   verdict.log_scale_gap = Percentile(gaps, 0.5);
   return verdict;
 }
 
+// Overwhelming from aside, where no view says what should be seen.
+bool IsPlainFromAside(const EvidenceVerdict& figures, const OverlapEvidence& evidence,
+                      const EvidenceOptions& options) {
+  return figures.num_inliers >= options.min_wide_inliers &&
+         figures.wide_share >= options.min_wide_share && !evidence.neighbour_log_scales.empty();
+}
+
 // What speaks against the overlap first: what refutes it, then what is missing.
-EvidenceReason Weigh(const EvidenceVerdict& figures, int num_visible,
+EvidenceReason Weigh(const EvidenceVerdict& figures, const OverlapEvidence& evidence,
                      const EvidenceOptions& options) {
-  const bool share_is_known = num_visible >= options.min_visible;
+  const bool share_is_known = evidence.num_visible >= options.min_visible;
   if (share_is_known && figures.matched_share < options.refuted_share) {
     return EvidenceReason::kAbsent;
   }
@@ -109,8 +118,12 @@ EvidenceReason Weigh(const EvidenceVerdict& figures, int num_visible,
       figures.off_plane_share < options.min_off_plane_share) {
     return EvidenceReason::kOneDepth;
   }
-  if (!share_is_known) return EvidenceReason::kVisibilityUnknown;
-  if (figures.matched_share < options.min_matched_share) return EvidenceReason::kLowShare;
+  if (!share_is_known && !IsPlainFromAside(figures, evidence, options)) {
+    return EvidenceReason::kVisibilityUnknown;
+  }
+  if (share_is_known && figures.matched_share < options.min_matched_share) {
+    return EvidenceReason::kLowShare;
+  }
   if (figures.log_scale_gap > options.max_log_scale_gap) {
     return EvidenceReason::kNeighboursDisagree;
   }
@@ -120,6 +133,11 @@ EvidenceReason Weigh(const EvidenceVerdict& figures, int num_visible,
 MergeVerdict VerdictOf(EvidenceReason reason) {
   if (reason == EvidenceReason::kComplete) return MergeVerdict::kAccepted;
   return reason < EvidenceReason::kAbsent ? MergeVerdict::kProvisional : MergeVerdict::kRefused;
+}
+
+std::string DescribeWide(const OverlapEvidence& evidence) {
+  return std::to_string(evidence.num_wide_matched) + " of " + std::to_string(evidence.num_wide) +
+         " landmarks that may be visible from aside are matched";
 }
 
 std::string DescribeShare(const OverlapEvidence& evidence) {
@@ -134,12 +152,14 @@ std::string Rounded(double value) {
   return out.str();
 }
 
-std::string Describe(const EvidenceVerdict& verdict, const OverlapEvidence& evidence) {
+std::string Describe(const EvidenceVerdict& verdict, const OverlapEvidence& evidence,
+                     const EvidenceOptions& options) {
+  const bool share_is_known = evidence.num_visible >= options.min_visible;
   const std::string num_inliers = std::to_string(verdict.num_inliers);
   switch (verdict.reason) {
     case EvidenceReason::kComplete:
       return num_inliers + " inliers spread over the image and over depths, " +
-             DescribeShare(evidence);
+             (share_is_known ? DescribeShare(evidence) : DescribeWide(evidence));
     case EvidenceReason::kTooFewInliers:
       return "only " + num_inliers + " inliers";
     case EvidenceReason::kNotSpread:
@@ -150,7 +170,7 @@ std::string Describe(const EvidenceVerdict& verdict, const OverlapEvidence& evid
              ", share off the plane " + Rounded(verdict.off_plane_share);
     case EvidenceReason::kVisibilityUnknown:
       return "only " + std::to_string(evidence.num_visible) +
-             " landmarks of the other map should be visible";
+             " landmarks of the other map should be visible; " + DescribeWide(evidence);
     case EvidenceReason::kLowShare:
     case EvidenceReason::kAbsent:
       return "only " + DescribeShare(evidence);
@@ -166,9 +186,9 @@ std::string Describe(const EvidenceVerdict& verdict, const OverlapEvidence& evid
 
 EvidenceVerdict JudgeOverlap(const OverlapEvidence& evidence, const EvidenceOptions& options) {
   EvidenceVerdict verdict = Measure(evidence, options);
-  verdict.reason = Weigh(verdict, evidence.num_visible, options);
+  verdict.reason = Weigh(verdict, evidence, options);
   verdict.verdict = VerdictOf(verdict.reason);
-  verdict.text = Describe(verdict, evidence);
+  verdict.text = Describe(verdict, evidence, options);
   return verdict;
 }
 

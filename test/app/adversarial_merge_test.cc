@@ -191,6 +191,43 @@ TEST(AdversarialMerge, OnePosterAloneStaysProvisional) {
   EXPECT_EQ(merging.Bytes(), before);
 }
 
+// Drives round a thing, 32 degrees and more apart, so that no landmark should be visible; from the
+// second one every `strange`-th point looks different.
+std::vector<Explored> RoundOneThing(uint32_t strange, bool is_in_another_room) {
+  Land a;
+  AddThing(5000, 400, {1.8, 1.4, 1.4}, PutAt(0.0, 0.0, 0.0), &a);
+  Land b = a;
+  for (uint32_t i = 0; i < b.looks.size(); i += strange) b.looks[i] += 500'000;
+  if (is_in_another_room) {
+    AddThing(20'000, 3000, {5.0, 2.5, 5.0}, PutAt(0.0, 0.0, 0.0), &a);
+    AddThing(40'000, 3000, {5.0, 2.5, 5.0}, PutAt(0.0, 0.0, 0.0), &b);
+  }
+  std::vector<double> angles_a, angles_b;
+  for (int i = 0; i < 12; ++i) angles_a.push_back(5.0 * i);
+  for (int i = 0; i < 11; ++i) angles_b.push_back(87.0 + 5.0 * i);
+  return {ExploreFrom(1, a, {}, RoundTheOrigin(2.6, angles_a)),
+          ExploreFrom(2, b, OtherGauge(), RoundTheOrigin(2.6, angles_b))};
+}
+
+void AddOverlapsFromAside(Merging* merging) {
+  for (uint32_t i = 0; i < 4; ++i) {
+    merging->Add(MatchLooks(merging->explored[0], 11 - i, merging->explored[1], i));
+  }
+}
+
+TEST(AdversarialMerge, OverwhelmingOverlapsFromAsideJoinTwoDrivesRoundAThing) {
+  Merging merging(RoundOneThing(2, false));
+  AddOverlapsFromAside(&merging);
+  EXPECT_TRUE(merging.InOneMap()) << merging.keeper.Reports()[0].reason;
+  EXPECT_EQ(merging.keeper.Reports()[0].num_expected, 0u);
+}
+
+TEST(AdversarialMerge, TheSameThingInAnotherRoomSeenFromAsideJoinsNothing) {
+  Merging merging(RoundOneThing(4000, true));
+  AddOverlapsFromAside(&merging);
+  EXPECT_FALSE(merging.InOneMap()) << merging.WhyAccepted();
+}
+
 // The other side of the coin: what is really the same place is joined.
 TEST(AdversarialMerge, TheSamePlaceIsJoinedAtOnce) {
   Land land;

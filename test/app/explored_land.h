@@ -78,13 +78,13 @@ inline std::shared_ptr<const FrameFeatures> FeaturesOf(const Land& land, const R
   return features;
 }
 
-inline Explored Explore(uint32_t id, const Land& land, const Sim3& session_from_world,
-                        uint32_t num_frames = 20) {
+inline Explored ExploreFrom(uint32_t id, const Land& land, const Sim3& session_from_world,
+                            const std::vector<Rigid3>& cams_from_world) {
   const Camera camera = MakeSyntheticCamera();
   const DriveId drive{"robot_" + std::to_string(id), 1000, id};
   Explored explored{{}, {}, land, Session({id}, drive, camera)};
-  for (uint32_t i = 0; i < num_frames; ++i) {
-    const Rigid3 cam_from_world{Eigen::Quaterniond::Identity(), {-0.12 * i, 0.0, 0.0}};
+  for (uint32_t i = 0; i < cams_from_world.size(); ++i) {
+    const Rigid3& cam_from_world = cams_from_world[i];
     explored.views.emplace_back();
     FrameEvent event;
     event.id = {drive, i};
@@ -103,6 +103,25 @@ inline Explored Explore(uint32_t id, const Land& land, const Sim3& session_from_
   }
   explored.session.set_state(SessionState::kFinished);
   return explored;
+}
+
+inline Explored Explore(uint32_t id, const Land& land, const Sim3& session_from_world,
+                        uint32_t num_frames = 20) {
+  std::vector<Rigid3> cams_from_world;
+  for (uint32_t i = 0; i < num_frames; ++i) {
+    cams_from_world.push_back({Eigen::Quaterniond::Identity(), {-0.12 * i, 0.0, 0.0}});
+  }
+  return ExploreFrom(id, land, session_from_world, cams_from_world);
+}
+
+// Cameras on a circle round the origin that look at it, by their angle about the vertical.
+inline std::vector<Rigid3> RoundTheOrigin(double radius, const std::vector<double>& angles_deg) {
+  std::vector<Rigid3> cams_from_world;
+  for (const double angle_deg : angles_deg) {
+    const Eigen::AngleAxisd turn(angle_deg * M_PI / 180.0, Eigen::Vector3d::UnitY());
+    cams_from_world.push_back({Eigen::Quaterniond(turn), {0.0, 0.0, radius}});
+  }
+  return cams_from_world;
 }
 
 // What recognition says that goes by looks alone: a frame of b (the query) against one of a,

@@ -114,6 +114,23 @@ TEST(JudgeOverlap, HoldsBackALowOrUnknownShare) {
   EXPECT_EQ(JudgeOverlap(evidence, {}).reason, EvidenceReason::kVisibilityUnknown);
 }
 
+TEST(JudgeOverlap, AcceptsFromAsideWhatIsOverwhelming) {
+  OverlapEvidence evidence = CompleteEvidence();
+  evidence.num_visible = 0;
+  evidence.num_wide = 500;
+  evidence.num_wide_matched = 250;
+  EXPECT_EQ(JudgeOverlap(evidence, {}).reason, EvidenceReason::kVisibilityUnknown);  // alone
+  evidence.neighbour_log_scales = {0.005, -0.004};
+  const EvidenceVerdict verdict = JudgeOverlap(evidence, {});
+  EXPECT_EQ(verdict.verdict, MergeVerdict::kAccepted) << verdict.text;
+  EXPECT_NE(verdict.text.find("250 of 500"), std::string::npos) << verdict.text;
+  evidence.num_wide_matched = 150;  // a thing that two rooms share
+  EXPECT_EQ(JudgeOverlap(evidence, {}).reason, EvidenceReason::kVisibilityUnknown);
+  evidence.num_wide_matched = 250;
+  evidence.inliers.resize(99);
+  EXPECT_EQ(JudgeOverlap(evidence, {}).reason, EvidenceReason::kVisibilityUnknown);
+}
+
 TEST(JudgeOverlap, AsksTheNeighboursForTheScale) {
   OverlapEvidence evidence = CompleteEvidence();
   evidence.neighbour_log_scales = {0.01, -0.02, 0.5};

@@ -76,6 +76,9 @@ class Mapper {
 
  private:
   void TrySeed(const DriveId& drive);
+  SessionId StartedSession(const DriveMapper& drive) const;
+  void MatchWithLost(SessionId session);
+  void FinishDrive(const DriveId& drive);
   void AdjustMaps(std::optional<SessionId> of);
 
   MapOptions options_;

@@ -23,7 +23,9 @@ struct OverlapAlignment {
 
 // Aligns two mapped sessions by what a query frame of b shares with frames of a (§4.3): 3D-3D from
 // common landmarks; else the query is resected among a's landmarks and the depths of its own give
-// the scale; else, where both sessions are metric, their odometry does. pairs: all of session a.
+// the scale; else, where both sessions are metric, their odometry does; else frames of a are
+// resected among b's landmarks, and their distance, or a's landmarks in the query, gives it.
+// pairs: all of session a.
 OverlapAlignment AlignOverlap(const Session& a, const Session& b, uint32_t query,
                               const std::vector<OverlapPair>& pairs, const MapOptions& options);
 

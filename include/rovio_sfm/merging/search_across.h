@@ -21,6 +21,7 @@ struct SearchAcrossOptions {
   // A landmark should be visible in a frame that looks at it from where a frame of its own session
   // did, and inside the image by the radius.
   double max_view_angle_rad = 0.35;
+  double max_wide_angle_rad = 1.05;
   double max_distance_ratio = 1.5;
   int min_views = 3;
 
@@ -31,6 +32,10 @@ struct SearchAcrossOptions {
     table.AddNumber("max_ratio", max_ratio, 0.1, 1.0, "to the second best feature of the window");
     table.AddNumber("max_view_angle_rad", max_view_angle_rad, 0.01, 1.5,
                     "visible from within this angle of a view of it");
+    table.AddNumber("max_wide_angle_rad", max_wide_angle_rad, 0.01, 1.5,
+                    "may be visible: found it counts, absent it says nothing");
+    table.AddRule("max_wide_angle_rad", max_wide_angle_rad >= max_view_angle_rad,
+                  "at least max_view_angle_rad");
     table.AddNumber("max_distance_ratio", max_distance_ratio, 1.0, 10.0, "and ratio of distances");
     table.AddNumber("min_views", min_views, 2, 100, "of a landmark whose absence says something");
   }
@@ -47,6 +52,9 @@ struct AcrossReport {
   std::vector<FeatureLink> links;  // a: a view of the landmark, b: the frame's feature; sorted by a
   uint32_t num_expected = 0;       // landmarks of a that should be visible
   uint32_t num_found = 0;          // of them, those that were found
+  // The same of landmarks of any number of views, from up to max_wide_angle_rad away.
+  uint32_t num_wide = 0;
+  uint32_t num_wide_found = 0;
 };
 
 // Projects the landmarks of session a that frames of the range see into a keyframe of session b by

@@ -29,6 +29,10 @@ struct EvidenceOptions {
   int min_visible = 15;
   double min_matched_share = 0.2;
   double refuted_share = 0.1;
+  // From where no view of the other session is near, nobody knows what should be seen: then so many
+  // inliers and such a share of all that may be seen are proof, if neighbours agree.
+  int min_wide_inliers = 100;
+  double min_wide_share = 0.4;
   double max_log_scale_gap = 0.05;
   double refuted_log_scale_gap = 0.25;
 
@@ -47,6 +51,10 @@ struct EvidenceOptions {
     table.AddNumber("min_matched_share", min_matched_share, 0.0, 1.0, "of them");
     table.AddNumber("refuted_share", refuted_share, 0.0, 1.0, "of them; below: refuted");
     table.AddRule("refuted_share", refuted_share <= min_matched_share, "at most min_matched_share");
+    table.AddNumber("min_wide_inliers", min_wide_inliers, 4, 100000,
+                    "where fewer than min_visible should be seen: proof from so many");
+    table.AddNumber("min_wide_share", min_wide_share, 0.0, 1.0,
+                    "and such a share of what views farther aside show");
     table.AddNumber("max_log_scale_gap", max_log_scale_gap, 0.001, 1.0,
                     "of the neighbours of the query");
     table.AddNumber("refuted_log_scale_gap", refuted_log_scale_gap, 0.001, 10.0, "above: refuted");
@@ -66,6 +74,8 @@ struct OverlapEvidence {
   std::vector<EvidenceInlier> inliers;  // one per feature
   int num_visible = 0;  // landmarks of the other map in the frame's view, from like angle and range
   int num_visible_matched = 0;
+  int num_wide = 0;  // the same, from angles from which it may be visible
+  int num_wide_matched = 0;
   std::vector<double> neighbour_log_scales;  // log(scale by a neighbour / scale of the overlap)
 };
 
@@ -88,6 +98,7 @@ struct EvidenceVerdict {
   int num_inliers = 0, num_rows = 0, num_columns = 0;
   double depth_ratio = 0.0, off_plane_share = 0.0;
   double matched_share = 0.0;  // 0 where it is not known
+  double wide_share = 0.0;
   double log_scale_gap = 0.0;  // median of the neighbours', absolute
 };
 
