@@ -23,19 +23,24 @@ class Render(NamedTuple):
 def render(wanted, clean=False):
     """The folder of the rendered pictures, or of the same ones without noise; rendered in one pass
     unless what the same program made of the same files is there."""
-    name = "_".join(str(field) for field in wanted[:6]) + ("_own" if wanted.config else "")
-    folders = {part: WORK / f"renders/{name}_{part}" for part in ("noisy", "clean")}
+    folders = {noise: WORK / f"renders/{folder_name(wanted, noise)}" for noise in (wanted.noise, 0)}
     fingerprint = fingerprint_to_be(wanted)
     if any(fingerprint_of(folder) != fingerprint for folder in folders.values()):
         for folder in folders.values():
             shutil.rmtree(folder, ignore_errors=True)
             folder.parent.mkdir(parents=True, exist_ok=True)
-        run(PROGRAMS / "rovio_sim", "--render", wanted.tour, "--out", folders["noisy"], "--clean-out", folders["clean"],
+        run(PROGRAMS / "rovio_sim", "--render", wanted.tour, "--out", folders[wanted.noise], "--clean-out", folders[0],
             "--camera", wanted.camera, "--noise", wanted.noise, "--seed", wanted.seed, "--light", wanted.light,
             "--frames", wanted.frames, "--threads", THREADS, *own_config(wanted))
         for folder in folders.values():
             (folder / "fingerprint").write_text(fingerprint)
-    return folders["clean" if clean else "noisy"]
+    return folders[0 if clean else wanted.noise]
+
+
+def folder_name(wanted, noise):
+    """Short for what is usual."""
+    return (f"{wanted.tour}_{wanted.camera}_noise{noise}_seed{wanted.seed}" + f"_light{wanted.light}" * bool(wanted.light)
+            + f"_frames{wanted.frames}" * bool(wanted.frames))
 
 
 def fingerprint_to_be(wanted):

@@ -1,5 +1,7 @@
 """The lines about tours as the robot's own camera sees them."""
 
+import math
+
 from acceptance.common import PROGRAMS, Line, map_images, percent, run
 from acceptance.renders import Render, render
 from acceptance.stage_1 import TOURS
@@ -9,6 +11,7 @@ AUDITED = ("visionlab", "engineRoom0", "turntable")
 MIN_REGISTERED = 95  # per cent
 # At most three times the worst of seeds 1 to 3: error in per cent of the path, rotation in degrees.
 BARS = {name: (0.3, 0.6) for name in TOURS}
+SCALE_SEEDS, SCALE_FRAMES = range(1, 21), 30
 EVENING = 3  # --light of the second drive
 
 
@@ -53,10 +56,22 @@ def other_light(light):
     return check
 
 
+def sigmas(_quick):
+    """Of the scale, from the driver's odometry: neither too small nor too large."""
+    ratios = []
+    for seed in SCALE_SEEDS:
+        s = map_images(f"maps/robot_scale_seed{seed}", [render(Render("visionlab", seed=seed, frames=SCALE_FRAMES))])
+        ratios.append(s["scale_error"] / s["scale_sigma"] if s["metric"] else float("inf"))
+    rms = math.sqrt(sum(ratio**2 for ratio in ratios) / len(ratios))
+    return 0.4 <= rms <= 1.3, f"RMS of error over sigma {rms:.2f}, the worst {max(ratios):.2f}"
+
+
 LINES = [
     Line("audit", "robot camera: the simulator's audit holds in three tours", audit, True),
     *(Line(f"tour_{name}", f"robot camera, {name}, three seeds: >= 95 % registered, one session, <= {BARS[name][0]} % of the "
            f"path, <= {BARS[name][1]} deg", tour(name), name == "visionlab") for name in TOURS),
+    Line("scale", f"robot camera: visionlab, {SCALE_FRAMES} pictures, 20 seeds: RMS of the scale's error over its sigma 0.4 to 1.3",
+         sigmas, False),
     Line("engine_rooms", "robot camera: engineRoom0 + 1 merged from one overlap, <= 0.3 % of the path", other_light(0), False),
     Line("engine_rooms_evening", "the same, the second drive in another light", other_light(EVENING), False),
 ]

@@ -102,13 +102,17 @@ def movers(source, name, first, last, step_px):
 
 
 def texture(height, width, seed):
-    """About 1/f, in grey levels, coloured."""
+    """Grain of all sizes, with printed patches."""
     rng = numpy.random.default_rng(seed)
-    total = numpy.zeros((height, width, 3))
-    for octave in range(1, 8):
-        small = rng.normal(0.0, 1.0, (max(2, height >> octave), max(2, width >> octave), 3))
-        total += 2.0 ** (0.6 * octave) * cv2.resize(small, (width, height), interpolation=cv2.INTER_CUBIC)
-    return clipped(128 + 45 * total / total.std())
+    total = numpy.zeros((height, width))
+    for octave in range(7):
+        small = rng.normal(0.0, 1.0, (max(2, height >> octave), max(2, width >> octave)))
+        total += 2.0 ** (0.4 * octave) * cv2.resize(small, (width, height), interpolation=cv2.INTER_CUBIC)
+    picture = numpy.repeat(clipped(128 + 30 * total / total.std())[:, :, None], 3, axis=2)
+    for _ in range(height * width // 2500):
+        corner, size = rng.integers(0, (width, height)), rng.integers(4, 40, 2)
+        cv2.rectangle(picture, corner.tolist(), (corner + size).tolist(), rng.integers(20, 236, 3).tolist(), -1)
+    return picture
 
 
 def slip(source, name, first, last, forward, turn_deg):
