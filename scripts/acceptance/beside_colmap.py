@@ -21,5 +21,7 @@ def fountain(_quick):
     return holds, "; ".join(parts)
 
 
-LINES = [Line("compare", "fountain beside COLMAP: as many pictures, no larger error, no fewer landmarks and projections", fountain,
-              False)]
+LINES = [
+    Line("compare", "fountain beside COLMAP: as many pictures, no larger error, no fewer landmarks and projections", fountain,
+         False),
+]

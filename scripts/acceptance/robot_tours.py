@@ -70,8 +70,8 @@ LINES = [
     Line("audit", "robot camera: the simulator's audit holds in three tours", audit, True),
     *(Line(f"tour_{name}", f"robot camera, {name}, three seeds: >= 95 % registered, one session, <= {BARS[name][0]} % of the "
            f"path, <= {BARS[name][1]} deg", tour(name), name == "visionlab") for name in TOURS),
-    Line("scale", f"robot camera: visionlab, {SCALE_FRAMES} pictures, 20 seeds: RMS of the scale's error over its sigma 0.4 to 1.3",
-         sigmas, False),
+    Line("scale", f"robot camera: visionlab, {SCALE_FRAMES} pictures, 20 seeds: RMS of the scale's error over its sigma "
+         "0.4 to 1.3", sigmas, False),
     Line("engine_rooms", "robot camera: engineRoom0 + 1 merged from one overlap, <= 0.3 % of the path", other_light(0), False),
     Line("engine_rooms_evening", "the same, the second drive in another light", other_light(EVENING), False),
 ]

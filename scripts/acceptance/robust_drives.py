@@ -23,6 +23,8 @@ def rows(chosen):
 
 
 LINES = [
-    Line("robust_pictures", "robustness: JPEG, noise, blur and exposure bend no map; >= 90 % where it must", rows("pictures"), True),
-    Line("robust_drives", "robustness: dropped images, turns, planes, movers, standing, wheels bend no map", rows("drives"), True),
+    Line("robust_pictures", "robustness: JPEG, noise, blur and exposure bend no map; >= 90 % where it must", rows("pictures"),
+         True),
+    Line("robust_drives", "robustness: dropped images, turns, planes, movers, standing, wheels bend no map", rows("drives"),
+         True),
 ]

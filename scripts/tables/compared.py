@@ -5,8 +5,8 @@ from typing import NamedTuple
 from acceptance.common import dataset
 from acceptance.drives import part_of
 from tables import scope as settings
-from tables.runs import Setting, map_with, points
 from tables.page import markdown
+from tables.runs import Setting, map_with, points
 
 HEAD = ("pictures", "setting", "registered", "points", "projections", "RMS, px", "error, mm", "rotation, °", "CPU, s")
 
@@ -57,7 +57,8 @@ QUESTIONS = (
     Question("Earlier keyframes that are matched", "`recursion.max_frames`.",
              {"8": DEFAULT, "4": frontend(recursion={"max_frames": 4}), "12": frontend(recursion={"max_frames": 12})},
              (laboratory, desk)),
-    Question("When two landmarks are one (f2)", "`f2.mean_relative`: χ² of a reprojection, or the thesis's relative distance.",
+    Question("When two landmarks are one (f2)",
+             "`f2.mean_relative`: χ² of a reprojection, or the thesis's relative distance.",
              {"χ²": DEFAULT, "the thesis's": mapper(f2={"mean_relative": True})}, (laboratory, fountain, desk)),
     Question("Window of the local adjustment", "`adjust.local_frames`: n of §3.8.2.",
              {"10": DEFAULT, "5": mapper(adjust={"local_frames": 5}), "20": mapper(adjust={"local_frames": 20})},

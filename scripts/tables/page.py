@@ -13,6 +13,13 @@ def markdown(head, rows):
     return "\n".join(lines + ["| " + " | ".join(cell(value) for value in row) + " |" for row in rows])
 
 
+def rows_of(text):
+    """The rows of a table as it stands in a section, by their first cell."""
+    lines = [line for line in text.splitlines() if line.startswith("| ")][1:]
+    rows = [tuple(line[2:-2].split(" | ")) for line in lines]
+    return {row[0]: row for row in rows}
+
+
 def cell(value):
     if value is None:
         return "–"

@@ -87,6 +87,11 @@ def undisturbed(threads):
     return map_with(drive().folder, Setting(), threads)
 
 
+def undisturbed_row(threads):
+    s = undisturbed(threads).summary
+    return ("nothing", f"{s['registered']} of {s['frames']}", s["maps"], millimetres(s["ate_rmse_m"]), None, None, None)
+
+
 def judge_row(row, threads):
     """A row of the table, and whether it holds."""
     base = undisturbed(threads).summary
