@@ -1,6 +1,7 @@
 """The lines about speed: whole runs of map_images, files included."""
 
 from acceptance.common import PLACES, PROGRAMS, Line, dataset, fresh_folder
+from acceptance.drives import image_list
 from comparison.measuring import measure
 
 STRIDE = {"every": 4, "parallax": 1}
@@ -11,7 +12,7 @@ def speed(mode):
     def check(quick):
         stride = 8 if quick else STRIDE[mode]
         source = dataset("tum_fr1_xyz")
-        num_images = len([line for line in (source / "times.txt").read_text().splitlines() if line[0] != "#"][::stride])
+        num_images = len(image_list(source)[::stride])
         cost, _ = measure(PROGRAMS / "map_images", source, "--out", fresh_folder(f"speed/{mode}"), "--mode", mode,
                           "--stride", stride, "--threads", 2, "--no-store", *PLACES)
         rate = num_images / cost.wall_s
