@@ -102,10 +102,10 @@ def percentile(scope):
         s = scope.map(TOUR, settings.percentile(factor)).summary
         m = s["matching"]
         rows.append(("off (10)" if factor == 10 else f"{factor:g}", *funnel(s)[1:5],
-                     f"{100 * (1 - m['ransac_share'] / m['one_to_one_share']):.1f} %", milliseconds(s, "match"),
-                     s["registered"], points(s), s["projections"], s["rms_px"], millimetres(s)))
-    return markdown(("max_mean_factor", *FILTER_HEAD[1:5], "of them outliers", "ms to match", "registered", "points",
-                     "projections", "RMS, px", "error, mm"), rows)
+                     f"{100 * (1 - m['ransac_share'] / m['one_to_one_share']):.1f} %", s["registered"], points(s),
+                     s["projections"], s["rms_px"], millimetres(s)))
+    return markdown(("max_mean_factor", *FILTER_HEAD[1:5], "of them outliers", "registered", "points", "projections",
+                     "RMS, px", "error, mm"), rows)
 
 
 def millimetres(summary):

@@ -58,8 +58,8 @@ def sideways():
 
 def before_a_board():
     """Towards a printed board, along it so near that it fills the view for 20 pictures, and back."""
-    tour = own_tour("before_a_board", [(0.9, 1.3, 0, 0), (1.9, 1.3, 0, 15), (1.9, 1.75, 0, 20), (0.9, 1.6, 0, 15)])
-    return disturb.board(disturb.read(tour), "board", 2.5, (0.95, 2.1), (0.0, 0.62))
+    tour = own_tour("before_a_board", [(0.9, 1.35, 0, 0), (3.8, 1.3, 0, 36), (3.8, 1.75, 0, 20), (2.6, 1.6, 0, 15)])
+    return disturb.board(disturb.read(tour), "board", 4.4, (0.95, 2.1), (0.0, 0.62))
 
 
 def made(function, *arguments):
@@ -76,7 +76,7 @@ ROWS = [
     Row("movers over a third of the view", made(disturb.movers, EVENT, EVENT + 15, 14), (EVENT, EVENT + 14)),
     *(Row(f"turn of {a}° on the spot", functools.partial(turning, a), (16, 15 + a // 9)) for a in (90, 180, 360)),
     Row("sideways only", sideways),
-    Row("a plane fills the view for 20 pictures", before_a_board, (16, 35)),
+    Row("a plane fills the view for 20 pictures", before_a_board, (37, 56)),
     Row("standing still for 500 images", made(disturb.standing, EVENT), (EVENT, EVENT + 499), setting=PARALLAX),
     Row("wheels slip by 30 %", made(disturb.slip, EVENT, EVENT + 10, 0.7, 0.0), scale=True),
     Row("a lifted wheel: 5° too much a picture", made(disturb.slip, EVENT, EVENT + 10, 1.0, 5.0), scale=True),
@@ -109,6 +109,8 @@ def judge_row(row, threads):
 
 def reasons(row, summary, verdict):
     why = ["a map is bent"] if verdict.bent else []
+    if summary["registered"] == 0:
+        why.append("no map")
     if row.whole and summary["registered"] < MIN_REGISTERED * summary["frames"]:
         why.append("fewer than 90 % registered")
     if row.scale and summary["metric"] and not summary["scale_inside_two_sigma"]:

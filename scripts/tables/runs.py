@@ -27,14 +27,14 @@ class Setting(NamedTuple):
 
 
 def map_with(pictures, setting=Setting(), threads=2):
-    """Maps a folder of pictures with map_images."""
+    """Maps a folder of pictures with map_images; there may be no map."""
     folder = KEPT / "maps" / f"{pictures.name}_{fingerprint(pictures, setting)[:16]}"
     figures = folder / "run.json"
     if not figures.exists():
         shutil.rmtree(folder, ignore_errors=True)
         folder.parent.mkdir(parents=True, exist_ok=True)
         cost, _ = measure(PROGRAMS / "map_images", pictures, "--out", folder, "--no-store", "--threads", threads,
-                          *option_files(setting, folder), *setting.words)
+                          *option_files(setting, folder), *setting.words, check=False)
         figures.write_text(json.dumps({"summary": json.loads((folder / "summary.json").read_text()),
                                        "cost": cost._asdict()}))
     kept = json.loads(figures.read_text())
