@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "rovio_sfm/app/load_options.h"
 #include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/util/check_options.h"
 
@@ -11,6 +12,21 @@ namespace rovio_sfm {
 namespace {
 
 constexpr int kNothingPosed = 2;  // exit status
+
+template <typename Options>
+void LoadFile(const std::string& path, Options* options) {
+  if (path.empty()) return;
+  try {
+    LoadOptions(YAML::LoadFile(path), "", options);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path + ": " + error.what());
+  }
+}
+
+void DeclareOptionFiles(CLI::App* app, MappingArguments* arguments) {
+  app->add_option("--frontend", arguments->frontend_file, "YAML as config/frontend.yaml");
+  app->add_option("--mapper", arguments->mapper_file, "YAML as config/mapping.yaml");
+}
 
 }  // namespace
 
@@ -26,6 +42,7 @@ std::optional<int> ParseArguments(CLI::App* app, int argc, const char* const* ar
 
 void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
   app->add_option("--out", arguments->out, "folder for the results")->required();
+  DeclareOptionFiles(app, arguments);
   app->add_option("--mode", arguments->mode, "every: stills; parallax: video")
       ->check(CLI::IsMember({"every", "parallax"}));
   app->add_option("--features", arguments->features, "most features of an image");
@@ -64,6 +81,8 @@ void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
 
 void CompleteMappingArguments(MappingArguments* arguments) {
   FrontendOptions& frontend = arguments->mapper.frontend;
+  LoadFile(arguments->frontend_file, &frontend);
+  LoadFile(arguments->mapper_file, &arguments->mapper.mapper);
   if (arguments->mode == "every") frontend.choose.mode = KeyframeMode::kEvery;
   if (arguments->mode == "parallax") frontend.choose.mode = KeyframeMode::kParallax;
   if (arguments->features) frontend.extract.max_features = *arguments->features;

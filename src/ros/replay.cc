@@ -1,7 +1,5 @@
 #include "rovio_sfm/ros/replay.h"
 
-#include <yaml-cpp/yaml.h>
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <map>
@@ -14,13 +12,13 @@
 
 #include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/app/finish_run.h"
-#include "rovio_sfm/app/load_options.h"
 #include "rovio_sfm/app/output_folder.h"
 #include "rovio_sfm/app/place_model_option.h"
 #include "rovio_sfm/app/progress_bar.h"
 #include "rovio_sfm/io/calibration.h"
 #include "rovio_sfm/ros/bag_images.h"
 #include "rovio_sfm/ros/bag_pictures.h"
+#include "rovio_sfm/util/check_options.h"
 #include "rovio_sfm/util/steady_clock.h"
 #include "rovio_sfm/util/stop_signals.h"
 
@@ -29,7 +27,6 @@ namespace {
 
 struct Arguments : MappingArguments {
   std::vector<std::string> bags;
-  std::string frontend_file, mapper_file;
   SensorOptions sensors;
   BagTopics topics;
   std::string calibration_file;
@@ -38,8 +35,6 @@ struct Arguments : MappingArguments {
 
 void Declare(Arguments* arguments, CLI::App* app) {
   app->add_option("bags", arguments->bags, "bags; each robot of each is a drive")->required();
-  app->add_option("--frontend", arguments->frontend_file, "YAML as config/frontend.yaml");
-  app->add_option("--mapper", arguments->mapper_file, "YAML as config/mapping.yaml");
   app->add_option("--image-latency", arguments->sensors.image_latency_s,
                   "an image was taken so long before its stamp, s");
   app->add_option("--odom-latency", arguments->sensors.odom_latency_s,
@@ -66,20 +61,7 @@ std::optional<Camera> ReadCalibration(const std::filesystem::path& path) {
   return ReadCamera(path);
 }
 
-template <typename Options>
-void LoadFile(const std::string& path, Options* options) {
-  if (path.empty()) return;
-  try {
-    LoadOptions(YAML::LoadFile(path), "", options);
-  } catch (const std::exception& error) {
-    throw std::runtime_error(path + ": " + error.what());
-  }
-}
-
-// Files first, then what the command line says.
 void CompleteOptions(Arguments* arguments) {
-  LoadFile(arguments->frontend_file, &arguments->mapper.frontend);
-  LoadFile(arguments->mapper_file, &arguments->mapper.mapper);
   CompleteMappingArguments(arguments);
   RequireValid(arguments->sensors);
   arguments->camera = ReadCalibration(arguments->calibration_file);

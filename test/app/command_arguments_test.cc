@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
+
+#include "util/temporary_folder.h"
 
 namespace rovio_sfm {
 namespace {
@@ -49,6 +53,20 @@ TEST(DeclareMappingArguments, TurnsThePoseGraphOffOnlyIfTold) {
 TEST(CompleteMappingArguments, RefusesWhatIsOutOfRange) {
   MappingArguments arguments;
   ASSERT_FALSE(Parse({"--out", "x", "--features", "0"}, &arguments));
+  EXPECT_THROW(CompleteMappingArguments(&arguments), std::runtime_error);
+}
+
+TEST(CompleteMappingArguments, ReadsFilesOfOptionsBeforeTheRest) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = std::filesystem::path(folder.Path()) / "frontend.yaml";
+  std::ofstream(file) << "extract: {type: orb, max_features: 500}\n";
+  MappingArguments arguments;
+  const std::string path = file.string();
+  ASSERT_FALSE(Parse({"--out", "x", "--frontend", path.c_str(), "--features", "600"}, &arguments));
+  CompleteMappingArguments(&arguments);
+  std::filesystem::remove(file);
+  EXPECT_EQ(arguments.mapper.frontend.extract.type, DescriptorType::kOrb);
+  EXPECT_EQ(arguments.mapper.frontend.extract.max_features, 600);
   EXPECT_THROW(CompleteMappingArguments(&arguments), std::runtime_error);
 }
 

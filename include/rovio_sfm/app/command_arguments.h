@@ -24,6 +24,8 @@ std::optional<int> ParseArguments(CLI::App* app, int argc, const char* const* ar
 // What every command that maps drives can be told.
 struct MappingArguments {
   std::string out;                       // folder for the results
+  std::string frontend_file;             // options, YAML; empty: as they are
+  std::string mapper_file;               // the same
   std::string mode;                      // every, parallax; empty: as the options say
   std::optional<int> features;           // most of an image; none: as the options say
   std::string places;                    // place model; none: no merging; empty: the shipped one
@@ -39,8 +41,8 @@ struct MappingArguments {
 // The arguments must outlive the parsing.
 void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments);
 
-// Puts mode, features and seed into the options of the mapper, and reads the formats. Throws
-// std::runtime_error that names an option out of its range.
+// Reads the files of options, then puts mode, features and seed into them, and reads the formats.
+// Throws std::runtime_error that names what cannot be read or is out of its range.
 void CompleteMappingArguments(MappingArguments* arguments);
 
 // The store in the folder for the results; null where none is wanted. Throws std::runtime_error as

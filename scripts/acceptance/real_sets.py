@@ -1,0 +1,40 @@
+"""The lines about real pictures that are hard: fast, blurred, weak, turning."""
+
+from acceptance.common import Line, dataset, map_images, percent
+
+
+def figures(summary):
+    error = summary["ate_rmse_m"]
+    return (f"{summary['registered']} of {summary['frames']} in the largest of {summary['maps']} maps, "
+            + ("no error known" if error is None else f"{100 * error:.2f} cm") + f", {summary['wall_s']:.0f} s")
+
+
+def real_set(name, folder, min_share, max_error_m, *options):
+    """min_share: per cent of the pictures in one map."""
+    def check(_quick):
+        s = map_images(f"real/{name}", [dataset(folder)], *options)
+        holds = percent(s["registered"], s["frames"]) >= min_share
+        return holds and (s["ate_rmse_m"] or float("inf")) <= max_error_m, figures(s)
+    return check
+
+
+def keyframes_of_fr1(quick):
+    s = map_images("real/fr1_xyz", [dataset("tum_fr1_xyz")], "--mode", "parallax", *(("--stride", 8) if quick else ()))
+    error, keyframe_error = s["ate_rmse_m"] or float("inf"), s["ate_rmse_keyframes_m"] or float("inf")
+    if quick:
+        holds = percent(s["registered"], s["frames"]) >= 98 and error <= 0.05
+    else:
+        holds = s["registered"] == s["frames"] and error <= 0.010 and keyframe_error <= 0.0097
+    return holds, f"{figures(s)}; keyframes {100 * keyframe_error:.2f} cm" + quick * " (every 8th, >= 98 %, <= 5 cm)"
+
+
+LINES = [
+    Line("fr1_xyz", "tum_fr1_xyz, parallax: all pictures, <= 1.0 cm, keyframes <= 0.97 cm", keyframes_of_fr1, True),
+    Line("fr1_rpy", "tum_fr1_rpy alone: >= 96 % in one map, <= 2.6 cm",
+         real_set("fr1_rpy", "tum_fr1_rpy", 96, 0.026, "--mode", "parallax"), False),
+    Line("hololens", "hololens_dvmvs_000: >= 98 % in one map, <= 6 cm",
+         real_set("hololens", "hololens_dvmvs_000", 98, 0.06), False),
+    Line("hololens_half", "hololens_dvmvs_000, every 2nd: >= 90 % in one map, <= 8 cm",
+         real_set("hololens_half", "hololens_dvmvs_000", 90, 0.08, "--stride", 2), False),
+    Line("cabinet", "tum_fr3_cabinet58: >= 50 of 58", real_set("cabinet", "tum_fr3_cabinet58", 86, 0.1), False),
+]
