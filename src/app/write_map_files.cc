@@ -120,7 +120,9 @@ class MapInWork {
   std::string Page() {
     const bool has_mesh = formats_.count(MapFormat::kMesh) != 0;
     const bool has_dense = formats_.count(MapFormat::kDense) != 0;
-    return PageDataJson(map_, model_, source_.notes, has_dense ? &finished_.DenseCloud() : nullptr,
+    PageNotes notes = source_.notes;
+    if (const auto counts = densified()) notes.figures = RowsOf(*counts);
+    return PageDataJson(map_, model_, notes, has_dense ? &finished_.DenseCloud() : nullptr,
                         has_mesh ? &finished_.Surface() : nullptr);
   }
 

@@ -170,6 +170,18 @@ std::optional<DensifiedMap> DensifyMap(const MapModel& model, const ReadFeatures
   return densifier.MakePoints();
 }
 
+std::vector<std::pair<std::string, std::string>> RowsOf(const DensifyCounts& counts) {
+  const auto row = [](auto before, auto after) {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(2) << before << " → " << after;
+    return text.str();
+  };
+  const PointFigures &before = counts.before, &after = counts.after;
+  return {{"densified points", row(before.num_points, after.num_points)},
+          {"densified projections", row(before.num_projections, after.num_projections)},
+          {"densified RMS_N", row(before.rms_n, after.rms_n)}};
+}
+
 std::string Describe(const DensifyCounts& counts) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(2) << "densified: " << counts.before.num_points << " -> "

@@ -169,7 +169,7 @@ Json ViewsByImage(const MapModel& model) {
   return counts;
 }
 
-Json FiguresJson(const LevelMap& map) {
+Json FiguresJson(const LevelMap& map, const PageNotes& notes) {
   const MapStatistics statistics = ComputeMapStatistics(map);
   Json figures = {{"images", statistics.registered},
                   {"keyframes", statistics.registered_keyframes},
@@ -185,6 +185,7 @@ Json FiguresJson(const LevelMap& map) {
     figures["scale from"] = map.scale->source;
     figures["scale, 1 sigma, %"] = Short(100.0 * map.scale->sigma_log);
   }
+  for (const auto& [name, value] : notes.figures) figures[name] = value;
   return figures;
 }
 
@@ -206,7 +207,7 @@ std::string PageDataJson(const LevelMap& map, const MapModel& model, const PageN
   for (const auto& [stage, ms] : notes.stage_ms) stages.push_back({stage, Short(ms)});
   const Json page = {{"map", map.id.value},
                      {"unit", model.length_unit},
-                     {"figures", FiguresJson(map)},
+                     {"figures", FiguresJson(map, notes)},
                      {"warnings", WarningsJson(map, mesh, notes)},
                      {"tracks", TrackHistogram(model)},
                      {"errors", ErrorByImage(model)},

@@ -91,6 +91,17 @@ TEST_F(DensifyMapTest, PassesOverAnImageWithoutDescriptors) {
   EXPECT_GT(densified->cloud.size(), wall_.model.points.size());
 }
 
+TEST(RowsOf, SayBeforeAndAfter) {
+  DensifyCounts counts;
+  counts.before = {10, 30, 0.5, 0.2};
+  counts.after = {25, 90, 0.75, 0.3};
+  const std::vector<std::pair<std::string, std::string>> expected = {
+      {"densified points", "10 → 25"},
+      {"densified projections", "30 → 90"},
+      {"densified RMS_N", "0.50 → 0.75"}};
+  EXPECT_EQ(RowsOf(counts), expected);
+}
+
 TEST(Describe, SaysWhatDensifyingBrought) {
   DensifyCounts counts;
   counts.before = {10, 30, 0.5, 0.2};

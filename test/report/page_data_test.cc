@@ -52,6 +52,14 @@ TEST(PageDataJson, TellsTracksErrorsAndPaths) {
   EXPECT_EQ(page["warnings"].size(), 1u);  // that it is not metric
 }
 
+TEST(PageDataJson, HasTheRowsThatAreNoted) {
+  PageNotes notes;
+  notes.figures = {{"densified points", "5 → 9"}};
+  const auto figures = Page(notes)["figures"];
+  EXPECT_EQ(figures["densified points"], "5 → 9");
+  EXPECT_EQ(figures.size(), Page()["figures"].size() + 1);
+}
+
 TEST(PageDataJson, ArraysAreBase64OfLittleEndianNumbers) {
   PointCloud dense(1);
   dense[0].position = {1.0f, 0.0f, 0.0f};

@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "rovio_sfm/finish/choose_pairs.h"
 #include "rovio_sfm/finish/gather_features.h"
@@ -60,5 +62,7 @@ std::optional<DensifiedMap> DensifyMap(const MapModel& model, const ReadFeatures
 
 // For people, in one sentence: points, projections and RMS_N before and after.
 std::string Describe(const DensifyCounts& counts);
+// The same as rows of a table: name, and "before → after".
+std::vector<std::pair<std::string, std::string>> RowsOf(const DensifyCounts& counts);
 
 }  // namespace rovio_sfm

@@ -15,8 +15,9 @@ namespace rovio_sfm {
 // What is told of a map beside the map itself.
 struct PageNotes {
   std::vector<MergeReport> merges;
-  std::vector<std::pair<std::string, double>> stage_ms = {};  // time by stage, per image
-  std::vector<std::string> warnings = {};                     // sentences
+  std::vector<std::pair<std::string, double>> stage_ms = {};      // time by stage, per image
+  std::vector<std::string> warnings = {};                         // sentences
+  std::vector<std::pair<std::string, std::string>> figures = {};  // more rows: name, value
 };
 
 // What the page of a map shows (docs/finish.md), as JSON: figures, histograms, paths, cameras,
