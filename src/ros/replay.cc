@@ -19,6 +19,7 @@
 #include "rovio_sfm/ros/bag_images.h"
 #include "rovio_sfm/ros/bag_pictures.h"
 #include "rovio_sfm/util/check_options.h"
+#include "rovio_sfm/util/keep_memory.h"
 #include "rovio_sfm/util/steady_clock.h"
 #include "rovio_sfm/util/stop_signals.h"
 
@@ -159,6 +160,7 @@ int ReplayCommand(int argc, const char* const* argv, std::ostream& out, std::ost
   app.get_option("--out")->required(false);
   if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
   cv::setNumThreads(1);  // the threads are ours
+  KeepFreedMemory();
   CompleteOptions(&arguments);
   if (arguments.out.empty()) {
     arguments.out = NodeOutputFolder("--out", "", CurrentOutputPlace()).string();
