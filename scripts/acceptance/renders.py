@@ -17,6 +17,8 @@ class Render(NamedTuple):
     seed: int = 1
     light: int = 0
     frames: int = 0  # all
+    steps: int = 1   # times the tour's own
+    movers: bool = False
     config: str = ""
 
 
@@ -31,7 +33,8 @@ def render(wanted, clean=False):
             folder.parent.mkdir(parents=True, exist_ok=True)
         run(PROGRAMS / "rovio_sim", "--render", wanted.tour, "--out", folders[wanted.noise], "--clean-out", folders[0],
             "--camera", wanted.camera, "--noise", wanted.noise, "--seed", wanted.seed, "--light", wanted.light,
-            "--frames", wanted.frames, "--threads", THREADS, *own_config(wanted))
+            "--frames", wanted.frames, "--steps", wanted.steps, *["--movers"] * wanted.movers, "--threads", THREADS,
+            *own_config(wanted))
         for folder in folders.values():
             (folder / "fingerprint").write_text(fingerprint)
     return folders[0 if clean else wanted.noise]
@@ -40,7 +43,8 @@ def render(wanted, clean=False):
 def folder_name(wanted, noise):
     """Short for what is usual."""
     return (f"{wanted.tour}_{wanted.camera}_noise{noise}_seed{wanted.seed}" + f"_light{wanted.light}" * bool(wanted.light)
-            + f"_frames{wanted.frames}" * bool(wanted.frames))
+            + f"_frames{wanted.frames}" * bool(wanted.frames) + f"_steps{wanted.steps}" * (wanted.steps != 1)
+            + "_movers" * wanted.movers)
 
 
 def fingerprint_to_be(wanted):

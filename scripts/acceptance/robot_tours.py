@@ -3,13 +3,14 @@
 import math
 
 from acceptance.common import PROGRAMS, Line, map_images, percent, run
-from acceptance.renders import Render, render
+from acceptance.renders import Render, folder_name, render
 from acceptance.stage_1 import TOURS
 
 SEEDS = (1, 2, 3)
 AUDITED = ("visionlab", "engineRoom0", "turntable")
+STEPS = {"visionlab": 2, "industrialArea": 2}  # whose own are shorter than the robot's, 15 to 40 px
 MIN_REGISTERED = 95  # per cent
-# Error in per cent of the path, rotation in degrees: the issue's; docs/benchmarks.md says what was measured.
+# Error in per cent of the path, rotation in degrees, the roll about the path apart: the issue's.
 BARS = {name: (0.3, 0.6) for name in TOURS}
 SCALE_SEEDS, SCALE_FRAMES = range(1, 21), 30
 EVENING = 3  # --light of the second drive
@@ -19,7 +20,8 @@ def audit(quick):
     """Figures of design 5.6; those that fall are named."""
     fallen, count = [], 0
     for name in AUDITED[:1] if quick else AUDITED:
-        lines = run(PROGRAMS / "rovio_sim", "--audit", name, check=False).splitlines()
+        lines = run(PROGRAMS / "rovio_sim", "--audit", name, "--steps", STEPS.get(name, 1),
+                    check=False).splitlines()
         count += len(lines)
         fallen += [f"{name}: {' '.join(line.split())}" for line in lines if not line.startswith("holds")]
     return count > 0 and not fallen, "; ".join(fallen) or f"{count} figures"
@@ -31,18 +33,23 @@ def share(summary):
     return percent(error, path) if error is not None and path else float("inf")
 
 
-def tour(name):
+def mapped(wanted, bars):
+    """Whether one session has nearly all pictures of a render within the bars, and the figures."""
+    s = map_images(f"maps/robot_{folder_name(wanted, wanted.noise)}", [render(wanted)])
+    errors = s["evaluation"] or {}
+    rotation, roll = (errors.get(name, float("inf")) for name in ("rotation_rmse_after_roll_deg", "roll_deg"))
+    holds = (percent(s["registered"], s["frames"]) >= MIN_REGISTERED and s["sessions"] == 1
+             and share(s) <= bars[0] and rotation <= bars[1])
+    return holds, (f"seed {wanted.seed}: {s['registered']} of {s['frames']}, {share(s):.3f} %, {rotation:.2f} deg "
+                   f"and {roll:.2f} of roll, {s['sessions']} session{'s' * (s['sessions'] != 1)}")
+
+
+def tour(name, movers=False):
     def check(quick):
-        max_error, max_rotation = BARS[name]
-        holds, parts = True, []
-        for seed in SEEDS[:1] if quick else SEEDS:
-            s = map_images(f"maps/robot_{name}_seed{seed}", [render(Render(name, seed=seed))])
-            rotation = s["rotation_rmse_deg"] if s["rotation_rmse_deg"] is not None else float("inf")
-            holds = (holds and percent(s["registered"], s["frames"]) >= MIN_REGISTERED and s["sessions"] == 1
-                     and share(s) <= max_error and rotation <= max_rotation)
-            parts.append(f"seed {seed}: {s['registered']} of {s['frames']}, {share(s):.3f} %, {rotation:.2f} deg, "
-                         f"{s['sessions']} session{'s' * (s['sessions'] != 1)}")
-        return holds, "; ".join(parts)
+        seeds = SEEDS[:1] if quick or movers else SEEDS
+        wanted = [Render(name, seed=seed, steps=STEPS.get(name, 1), movers=movers) for seed in seeds]
+        results = [mapped(one, BARS[name]) for one in wanted]
+        return all(holds for holds, _ in results), "; ".join(text for _, text in results)
     return check
 
 
@@ -70,6 +77,7 @@ LINES = [
     Line("audit", "robot camera: the simulator's audit holds in three tours", audit, True),
     *(Line(f"tour_{name}", f"robot camera, {name}, three seeds: >= 95 % registered, one session, <= {BARS[name][0]} % of the "
            f"path, <= {BARS[name][1]} deg", tour(name), name == "visionlab") for name in TOURS),
+    Line("movers", "robot camera, visionlab with two people who walk there: the same bars", tour("visionlab", True), False),
     Line("scale", f"robot camera: visionlab, {SCALE_FRAMES} pictures, 20 seeds: RMS of the scale's error over its sigma "
          "0.4 to 1.3", sigmas, False),
     Line("engine_rooms", "robot camera: engineRoom0 + 1 merged from one overlap, <= 0.3 % of the path", other_light(0), False),
