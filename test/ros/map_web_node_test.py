@@ -132,7 +132,7 @@ class MapWebNodeTest(unittest.TestCase):
 
         def has_finished():
             look()
-            return latest["/api/status"]["sessions"][0]["state"] == "finished"
+            return {s["robot"]: s["state"] for s in latest["/api/status"]["sessions"]}["rovio1"] == "finished"
         self.wait(has_finished, latest["/api/status"])
         self.assertEqual(page.stop(), 0)
 
