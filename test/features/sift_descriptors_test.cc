@@ -12,12 +12,6 @@
 namespace rovio_sfm {
 namespace {
 
-cv::Mat GreyImage() {
-  cv::Mat grey;
-  cv::cvtColor(TexturedImage(320, 240, 3), grey, cv::COLOR_BGR2GRAY);
-  return grey;
-}
-
 // OpenCV packs octave (signed, -1 first) and layer into one number.
 cv::KeyPoint FromOpenCv(cv::KeyPoint keypoint) {
   keypoint.class_id = (keypoint.octave >> 8) & 255;
@@ -43,9 +37,10 @@ OpenCvFeatures FeaturesOfOpenCv(const cv::Mat& grey) {
 double AngleGap(float a, float b) { return std::abs(std::remainder(a - b, 360.0)); }
 
 TEST(DescribeSift, DescribesAsOpenCvDoes) {
-  const OpenCvFeatures theirs = FeaturesOfOpenCv(GreyImage());
+  const OpenCvFeatures theirs = FeaturesOfOpenCv(TexturedGrey(320, 240, 3));
   ASSERT_GT(theirs.keypoints.size(), 100u);
-  const cv::Mat ours = DescribeSift(BuildSiftOctaves(GreyImage(), true), theirs.keypoints);
+  const cv::Mat ours =
+      DescribeSift(BuildSiftOctaves(TexturedGrey(320, 240, 3), true), theirs.keypoints);
   ASSERT_EQ(ours.size(), theirs.descriptors.size());
   for (int i = 0; i < ours.rows; ++i) {
     EXPECT_LT(cv::norm(ours.row(i), theirs.descriptors.row(i)), 15.0) << "of a length of 512";
@@ -53,9 +48,9 @@ TEST(DescribeSift, DescribesAsOpenCvDoes) {
 }
 
 TEST(OrientSift, FindsADirectionThatOpenCvFinds) {
-  const OpenCvFeatures theirs = FeaturesOfOpenCv(GreyImage());
+  const OpenCvFeatures theirs = FeaturesOfOpenCv(TexturedGrey(320, 240, 3));
   std::vector<cv::KeyPoint> ours = theirs.keypoints;
-  OrientSift(BuildSiftOctaves(GreyImage(), true), &ours);
+  OrientSift(BuildSiftOctaves(TexturedGrey(320, 240, 3), true), &ours);
   size_t num_equal = 0;
   for (const cv::KeyPoint& keypoint : ours) {
     num_equal += std::any_of(theirs.keypoints.begin(), theirs.keypoints.end(),
@@ -68,7 +63,7 @@ TEST(OrientSift, FindsADirectionThatOpenCvFinds) {
 }
 
 TEST(DescribeSift, TurnsWithThePicture) {
-  const cv::Mat grey = GreyImage();
+  const cv::Mat grey = TexturedGrey(320, 240, 3);
   cv::Mat turned;
   cv::rotate(grey, turned, cv::ROTATE_90_CLOCKWISE);
   const auto octaves = BuildSiftOctaves(grey, false),
@@ -89,7 +84,7 @@ TEST(DescribeSift, TurnsWithThePicture) {
 }
 
 TEST(DescribeSift, OfNoneIsEmpty) {
-  EXPECT_TRUE(DescribeSift(BuildSiftOctaves(GreyImage(), false), {}).empty());
+  EXPECT_TRUE(DescribeSift(BuildSiftOctaves(TexturedGrey(320, 240, 3), false), {}).empty());
 }
 
 }  // namespace

@@ -10,12 +10,6 @@
 namespace rovio_sfm {
 namespace {
 
-cv::Mat GreyImage() {
-  cv::Mat grey;
-  cv::cvtColor(TexturedImage(320, 240, 3), grey, cv::COLOR_BGR2GRAY);
-  return grey;
-}
-
 bool HasTwin(const cv::KeyPoint& keypoint, const std::vector<cv::KeyPoint>& others) {
   return std::any_of(others.begin(), others.end(), [&](const cv::KeyPoint& other) {
     return cv::norm(keypoint.pt - other.pt) < 0.02 &&
@@ -32,8 +26,9 @@ std::vector<cv::KeyPoint> OpenCvKeypoints(const cv::Mat& grey) {
 }
 
 TEST(FindSiftKeypoints, FindsWhatOpenCvFinds) {
-  const auto ours = FindSiftKeypoints(BuildSiftOctaves(GreyImage(), true), {0.02, 10.0});
-  const auto theirs = OpenCvKeypoints(GreyImage());
+  const auto ours =
+      FindSiftKeypoints(BuildSiftOctaves(TexturedGrey(320, 240, 3), true), {0.02, 10.0});
+  const auto theirs = OpenCvKeypoints(TexturedGrey(320, 240, 3));
   ASSERT_GT(ours.size(), 100u);
   const auto twins = [](const auto& some, const auto& others) {
     return std::count_if(some.begin(), some.end(),

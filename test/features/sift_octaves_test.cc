@@ -7,14 +7,8 @@
 namespace rovio_sfm {
 namespace {
 
-cv::Mat GreyImage(int width, int height) {
-  cv::Mat grey;
-  cv::cvtColor(TexturedImage(width, height, 3), grey, cv::COLOR_BGR2GRAY);
-  return grey;
-}
-
 TEST(BuildSiftOctaves, HalvesFromTheDoubledPictureOn) {
-  const auto octaves = BuildSiftOctaves(GreyImage(320, 240), true);
+  const auto octaves = BuildSiftOctaves(TexturedGrey(320, 240, 3), true);
   ASSERT_EQ(octaves.size(), 6u);  // the last has 20 x 15 pixels
   for (size_t i = 0; i < octaves.size(); ++i) {
     EXPECT_EQ(octaves[i].images.size(), 6u);
@@ -25,7 +19,7 @@ TEST(BuildSiftOctaves, HalvesFromTheDoubledPictureOn) {
 }
 
 TEST(BuildSiftOctaves, BeginsWithThePictureItself) {
-  const auto octaves = BuildSiftOctaves(GreyImage(320, 240), false);
+  const auto octaves = BuildSiftOctaves(TexturedGrey(320, 240, 3), false);
   ASSERT_EQ(octaves.size(), 5u);
   EXPECT_EQ(octaves[0].images[0].size(), cv::Size(320, 240));
   EXPECT_FLOAT_EQ(octaves[0].pixel_px, 1.0f);

@@ -32,4 +32,10 @@ inline Camera TestCamera(int width, int height) {
   return camera;
 }
 
+inline cv::Mat TexturedGrey(int width, int height, uint64_t seed) {
+  cv::Mat grey;
+  cv::cvtColor(TexturedImage(width, height, seed), grey, cv::COLOR_BGR2GRAY);
+  return grey;
+}
+
 }  // namespace rovio_sfm
