@@ -12,16 +12,15 @@ namespace rovio_sfm {
 namespace {
 
 constexpr uint32_t kMinShared = 15;     // landmarks that make a neighbour worth adjusting
-constexpr size_t kMaxFixedFrames = 15;  // of a local adjustment
+constexpr size_t kMaxFixedFrames = 30;  // of a local adjustment
 constexpr size_t kMinGlobalFrames = 6;  // smaller maps are covered by local adjustments
 constexpr int kFinalRounds = 5;
-constexpr double kPassingTolerance = 1e-4;  // of adjustments after which another one goes on
-constexpr double kLastTolerance = 1e-5;
+constexpr double kLocalTolerance = 1e-4;  // the next frame's adjustment goes on where this one ends
 constexpr double kSettledShare = 0.0005;  // of the observations that changed in a round
 
 BundleOptions LocalBundleOptions(const MapperOptions& options) {
   return {options.adjust.running_max_iterations, options.adjust.loss_px / options.pixel_sigma_px,
-          kPassingTolerance};
+          kLocalTolerance};
 }
 
 size_t NumObservations(const Session& session) {
@@ -74,7 +73,7 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
   for (int round = 0; round < kFinalRounds; ++round) {
     uint32_t num_changed = CompleteAll(options, session);
     SessionBundle bundle = MakeGlobalBundle(*session);
-    if (!Adjust({max_iterations, loss_sigmas, kPassingTolerance}, options.adjust, &bundle)) {
+    if (!Adjust({max_iterations, loss_sigmas}, options.adjust, &bundle)) {
       return total;
     }
     ApplyBundle(bundle, true, session);
@@ -85,7 +84,7 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
     if (num_changed < kSettledShare * static_cast<double>(NumObservations(*session))) break;
   }
   SessionBundle bundle = MakeGlobalBundle(*session);
-  if (Adjust({max_iterations, 0.0, kLastTolerance}, options.adjust, &bundle)) {
+  if (Adjust({max_iterations, 0.0}, options.adjust, &bundle)) {
     ApplyBundle(bundle, true, session);
   }
   return total;
@@ -117,7 +116,7 @@ void GlobalAdjustment::Start(const Session& session) {
   num_frames_at_last_ = session.keyframes().size();
   num_landmarks_at_last_ = session.landmarks().size();
   const Wait wait;
-  BundleOptions bundle_options{options_.running_max_iterations, loss_sigmas_, kPassingTolerance};
+  BundleOptions bundle_options{options_.running_max_iterations, loss_sigmas_};
   bundle_options.is_given_up = wait.IsGivenUp();
   auto solved = executor_->Submit(
       [](SessionBundle bundle, const BundleOptions& solve, const AdjustOptions& options) {
