@@ -14,6 +14,7 @@ namespace rovio_sfm {
 namespace {
 
 constexpr double kCertainScale = 0.03;  // sigma of the log scale by which neighbours are compared
+constexpr double kProvenScale = 0.02;   // of an alignment that needs no more proof
 constexpr uint32_t kLoopReach = 20;     // indices round the other frame in which a loop is searched
 
 // The keyframe and its neighbours in the session, `count` on both sides.
@@ -156,7 +157,7 @@ bool IsContinuation(const Session& a, const Session& b, const MergeReport& repor
                     const MapOptions& options) {
   return &a != &b &&
          report.num_inliers >= static_cast<uint32_t>(options.merge.evidence.min_inliers) &&
-         report.sigma_log_scale <= options.merge.max_scale_gap &&
+         report.sigma_log_scale <= kProvenScale &&
          CountSharedTracks(a, report.other.index, b, report.query.index) >= kMinSharedTracks;
 }
 
