@@ -133,6 +133,12 @@ void OfflineMapper::Map(const FrameEvent& event) {
   landmarks_.pruned_observations += report.growth.num_pruned;
   if (report.outcome == MapperOutcome::kRefused) CountReason("frame: " + report.reason, &refused_);
   if (recognizer_) {
+    const auto [session, is_new] = newest_sessions_.try_emplace(event.id.drive, report.session);
+    if (!is_new && !(session->second == report.session)) {
+      const int num_weak = options_.mapper.max_weak_frames;  // that the next session begins with
+      recognizer_->EndRecentPast(event.id.drive, static_cast<size_t>(num_weak));
+    }
+    session->second = report.session;
     for (const PlaceMatch& match : recognizer_->Add(event)) mapper_.Add(match);
   }
   if (kept_ == nullptr || kept_->num_uncommitted() < kFramesPerCommit) return;

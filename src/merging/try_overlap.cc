@@ -13,9 +13,8 @@
 namespace rovio_sfm {
 namespace {
 
-constexpr double kCertainScale = 0.03;  // sigma of the log scale by which neighbours are compared
-constexpr double kProvenScale = 0.02;   // of an alignment that needs no more proof
-constexpr uint32_t kLoopReach = 20;     // indices round the other frame in which a loop is searched
+constexpr double kProvenScale = 0.02;  // of an alignment that needs no more proof
+constexpr uint32_t kLoopReach = 20;    // indices round the other frame in which a loop is searched
 
 // The keyframe and its neighbours in the session, `count` on both sides.
 std::vector<uint32_t> FramesAround(const Session& session, uint32_t frame, int count) {
@@ -140,10 +139,11 @@ std::vector<double> NeighbourScales(const Session& a, const Session& b, const Ov
   for (const FeatureLink& link : trial.links) {
     if (link.b.frame != trial.report.query.index) links[link.b.frame].push_back(link);
   }
+  const double max_sigma = options.merge.evidence.max_sigma_log_scale;
   std::vector<double> log_scales;
   for (const auto& [frame, of_frame] : links) {
     const auto aligned = AlignLinks(a, b, of_frame, trial.report.query_from_other, options);
-    if (!aligned.alignment || aligned.alignment->sigma_log_scale > kCertainScale) continue;
+    if (!aligned.alignment || aligned.alignment->sigma_log_scale > max_sigma) continue;
     log_scales.push_back(
         std::log(aligned.alignment->b_from_a.scale / trial.report.query_from_other.scale));
   }
@@ -178,6 +178,7 @@ void Judge(const Session& a, const Session& b, const std::vector<double>& neighb
   evidence.num_visible_matched = static_cast<int>(seen.num_found);
   evidence.num_wide = static_cast<int>(seen.num_wide);
   evidence.num_wide_matched = static_cast<int>(seen.num_wide_found);
+  evidence.sigma_log_scale = a.scale() && b.scale() ? 0.0 : report.sigma_log_scale;
   evidence.neighbour_log_scales = neighbour_log_scales;
   const EvidenceVerdict verdict = JudgeOverlap(evidence, options.merge.evidence);
   report.verdict = verdict.verdict;

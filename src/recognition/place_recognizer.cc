@@ -28,6 +28,11 @@ void PlaceRecognizer::Remember(const FrameEvent& event) {
   index_.Add(event.id, WordsOf(*event.features), std::nullopt);
 }
 
+void PlaceRecognizer::EndRecentPast(const DriveId& drive, size_t num_kept) {
+  const auto recent = recent_.find(drive);
+  if (recent != recent_.end()) recent->second.Break(num_kept);
+}
+
 // False for what is not to be asked for.
 bool PlaceRecognizer::Enter(const FrameEvent& event) {
   if (event.kind == FrameKind::kLight) {

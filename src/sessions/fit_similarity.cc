@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "rovio_sfm/sessions/cross_residual.h"
+#include "rovio_sfm/util/quiet_ceres.h"
 
 namespace rovio_sfm {
 namespace {
@@ -214,6 +215,7 @@ std::optional<Sim3> FitSimilarity(const std::vector<CrossMatch>& matches,
   solver.max_num_iterations = options.max_iterations;
   solver.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
+  QuietCeres();
   ceres::Solve(solver, &problem, &summary);
   if (!summary.IsSolutionUsable()) return std::nullopt;
   return StepSim3(frame, step) * initial_b_from_a;

@@ -124,6 +124,7 @@ EvidenceReason Weigh(const EvidenceVerdict& figures, const OverlapEvidence& evid
   if (share_is_known && figures.matched_share < options.min_matched_share) {
     return EvidenceReason::kLowShare;
   }
+  if (evidence.sigma_log_scale > options.max_sigma_log_scale) return EvidenceReason::kScaleUnknown;
   if (figures.log_scale_gap > options.max_log_scale_gap) {
     return EvidenceReason::kNeighboursDisagree;
   }
@@ -174,6 +175,8 @@ std::string Describe(const EvidenceVerdict& verdict, const OverlapEvidence& evid
     case EvidenceReason::kLowShare:
     case EvidenceReason::kAbsent:
       return "only " + DescribeShare(evidence);
+    case EvidenceReason::kScaleUnknown:
+      return "the scale is known to " + Rounded(100.0 * evidence.sigma_log_scale) + " % only";
     case EvidenceReason::kNeighboursDisagree:
     case EvidenceReason::kNeighboursContradict:
       return "neighbouring frames give a scale that differs by a factor of " +

@@ -10,6 +10,7 @@
 
 #include "rovio_sfm/util/check.h"
 #include "rovio_sfm/util/median.h"
+#include "rovio_sfm/util/quiet_ceres.h"
 
 namespace rovio_sfm {
 namespace {
@@ -126,6 +127,7 @@ ceres::Solver::Summary Solve(const Round& round, PoseGraph* graph) {
   solver.max_num_iterations = round.max_iterations;
   solver.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
+  QuietCeres();
   ceres::Solve(solver, &problem, &summary);
   if (!summary.IsSolutionUsable()) return summary;
   for (size_t i = 0; i < blocks.size(); ++i) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "rovio_sfm/sfm/reprojection_cost.h"
+#include "rovio_sfm/util/quiet_ceres.h"
 
 namespace rovio_sfm {
 namespace {
@@ -194,6 +195,7 @@ BundleReport AdjustBundle(BundleProblem* problem, const BundleOptions& options) 
   ceres::Solver::Options solver_options = SolverOptions(*problem, options, gauge, &give_up);
   solver_options.linear_solver_ordering = MakeOrdering(&problem->points, &poses, solver);
   ceres::Solver::Summary summary;
+  QuietCeres();
   ceres::Solve(solver_options, &solver, &summary);
   report.iterations = static_cast<int>(summary.iterations.size());
   report.initial_cost = summary.initial_cost;

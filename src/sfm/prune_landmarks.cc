@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "rovio_sfm/geometry/triangulate.h"
@@ -58,6 +60,44 @@ void PruneLandmark(TrackId id, const LandmarkLimits& limits, Session* session,
       static_cast<uint32_t>(count - (after == nullptr ? 0 : after->observations.size()));
 }
 
+constexpr uint32_t kMinHold = 10;  // landmarks by which a keyframe hangs on others
+
+// Grows from one keyframe over all that see kMinHold landmarks of those reached before.
+std::set<uint32_t> HangingTogether(const Session& session, uint32_t first) {
+  std::set<uint32_t> reached = {first};
+  std::vector<uint32_t> open = {first};
+  std::set<TrackId> seen;
+  std::map<uint32_t, uint32_t> num_seen;  // by keyframe not yet reached
+  while (!open.empty()) {
+    const Keyframe& keyframe = session.keyframe(open.back());
+    open.pop_back();
+    for (size_t i = 0; i < keyframe.tracks.size(); ++i) {
+      if (!keyframe.observed[i] || !seen.insert(keyframe.tracks[i]).second) continue;
+      for (const Observation& view : session.landmarks().at(keyframe.tracks[i]).observations) {
+        if (reached.count(view.frame) != 0 || ++num_seen[view.frame] < kMinHold) continue;
+        reached.insert(view.frame);
+        open.push_back(view.frame);
+      }
+    }
+  }
+  return reached;
+}
+
+// All keyframes with a pose but those of the largest part that hangs together.
+std::set<uint32_t> LooseFrames(const Session& session) {
+  std::set<uint32_t> posed, largest;
+  for (const auto& [index, keyframe] : session.keyframes()) {
+    if (!keyframe.weak) posed.insert(index);
+  }
+  for (std::set<uint32_t> left = posed; left.size() > largest.size();) {
+    const std::set<uint32_t> part = HangingTogether(session, *left.begin());
+    for (const uint32_t frame : part) left.erase(frame);
+    if (part.size() > largest.size()) largest = part;
+  }
+  for (const uint32_t frame : largest) posed.erase(frame);
+  return posed;
+}
+
 }  // namespace
 
 PruneReport PruneLandmarks(const std::vector<TrackId>& tracks, const LandmarkLimits& limits,
@@ -72,7 +112,12 @@ PruneReport PruneLandmarks(const std::vector<TrackId>& tracks, const LandmarkLim
 PruneReport PruneAllLandmarks(const LandmarkLimits& limits, Session* session) {
   std::vector<TrackId> tracks;
   for (const auto& [id, landmark] : session->landmarks()) tracks.push_back(id);
-  return PruneLandmarks(tracks, limits, session);
+  PruneReport report = PruneLandmarks(tracks, limits, session);
+  for (const uint32_t frame : LooseFrames(*session)) {
+    session->RemoveKeyframe(frame);
+    ++report.num_frames;
+  }
+  return report;
 }
 
 double ResidualSpread(const Session& session) {

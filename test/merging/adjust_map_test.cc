@@ -111,6 +111,11 @@ TEST(MapAdjustment, MovesWhatWasBornSinceWithItsReference) {
   Executor executor{0};
   MapAdjustment adjustment(pair.placed, pair.links, {}, &executor, ResultTiming::kFixed);
   pair.b.AddKeyframe(15, newest);
+  for (uint32_t i = 0; i < newest.tracks.size(); ++i) {
+    if (pair.b.landmarks().count(newest.tracks[i]) != 0) {
+      pair.b.AddObservation(newest.tracks[i], {15, i});
+    }
+  }
   const Rigid3 step = newest.cam_from_session * Inverse(pair.b.keyframe(14).cam_from_session);
   ASSERT_TRUE(adjustment.Apply({}, &pair.links).usable);
   const Rigid3 moved =

@@ -57,6 +57,15 @@ TEST(RecentPast, ABreakEndsIt) {
   EXPECT_EQ(past.Add(Tracks(1000, 10), {}), 4u);  // what lies before the break stays allowed
 }
 
+TEST(RecentPast, EndsWhereTheDriveWasLost) {
+  RecentPast past(Options(20, 5));
+  for (size_t i = 0; i < 6; ++i) EXPECT_EQ(past.Add(Tracks(1, 10), {}), 0u);
+  past.Break(2);
+  EXPECT_EQ(past.Add(Tracks(1, 10), {}), 4u);  // though tracks go on
+  past.Break(100);
+  EXPECT_EQ(past.Add(Tracks(1, 10), {}), 0u);
+}
+
 TEST(RecentPast, LinkedTracksBeganWithTheOlder) {
   RecentPast past(Options(1, 5));
   past.Add(Tracks(1, 5), {});

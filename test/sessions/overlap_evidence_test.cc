@@ -143,6 +143,17 @@ TEST(JudgeOverlap, AsksTheNeighboursForTheScale) {
   EXPECT_EQ(verdict.reason, EvidenceReason::kNeighboursContradict);
 }
 
+TEST(JudgeOverlap, HoldsBackAScaleThatIsHardlyKnown) {
+  OverlapEvidence evidence = CompleteEvidence();
+  evidence.sigma_log_scale = 0.029;
+  EXPECT_EQ(JudgeOverlap(evidence, {}).verdict, MergeVerdict::kAccepted);
+  evidence.sigma_log_scale = 0.067;
+  const EvidenceVerdict verdict = JudgeOverlap(evidence, {});
+  EXPECT_EQ(verdict.verdict, MergeVerdict::kProvisional);
+  EXPECT_EQ(verdict.reason, EvidenceReason::kScaleUnknown);
+  EXPECT_EQ(verdict.text, "the scale is known to 6.7 % only");
+}
+
 TEST(EvidenceOptions, NameWhatIsOutOfRange) {
   EvidenceOptions options;
   std::string error;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <vector>
+
 #include "synthetic/synthetic_session.h"
 
 namespace rovio_sfm {
@@ -91,6 +94,55 @@ TEST(PruneLandmarks, RemovesLandmarksWithoutParallax) {
   EXPECT_EQ(session.landmarks().size(), count - some.num_landmarks);
   EXPECT_EQ(PruneAllLandmarks({3.1, 4.0}, &session).num_landmarks, count - some.num_landmarks);
   EXPECT_TRUE(session.landmarks().empty());
+}
+
+// Takes observations of `frames` away until num_kept landmarks are seen there and elsewhere.
+void Cut(const std::set<uint32_t>& frames, size_t num_kept, Session* session) {
+  std::vector<TrackId> across;
+  const auto& landmarks = session->landmarks();
+  for (const auto& [id, landmark] : landmarks) {
+    size_t num_inside = 0;
+    for (const Observation& view : landmark.observations) num_inside += frames.count(view.frame);
+    if (num_inside > 0 && num_inside < landmark.observations.size()) across.push_back(id);
+  }
+  ASSERT_GE(across.size(), num_kept);
+  across.erase(across.begin(), across.begin() + static_cast<std::ptrdiff_t>(num_kept));
+  for (const TrackId id : across) {
+    const std::vector<Observation> views = landmarks.at(id).observations;
+    for (const Observation& view : views) {
+      if (frames.count(view.frame) == 1 && landmarks.count(id) == 1) {
+        session->RemoveObservation(id, view);
+      }
+    }
+  }
+}
+
+TEST(PruneLandmarks, RemovesTheKeyframeThatNineLandmarksHold) {
+  Session session = MakeMappedSession(MakeWorld(0.0));
+  LightFrame light;
+  light.reference = 4;
+  session.AddLightFrame(7, light);
+  Cut({4}, 10, &session);
+  EXPECT_EQ(PruneAllLandmarks(kNoParallax, &session).num_frames, 0u);
+  Cut({4}, 9, &session);
+  EXPECT_EQ(PruneAllLandmarks(kNoParallax, &session).num_frames, 1u);
+  EXPECT_EQ(session.keyframes().count(4), 0u);
+  EXPECT_TRUE(session.light_frames().empty());
+  EXPECT_EQ(CheckInvariants(session), "");
+}
+
+// Nothing says how large the one part is beside the other.
+TEST(PruneLandmarks, RemovesTheSmallerOfTwoPartsThatHardlyHangTogether) {
+  for (const bool newer_is_larger : {false, true}) {
+    Session session = MakeMappedSession(MakeWorld(0.0));
+    const std::set<uint32_t> smaller =
+        newer_is_larger ? std::set<uint32_t>{0, 1} : std::set<uint32_t>{3, 4};
+    Cut(smaller, 9, &session);
+    EXPECT_EQ(PruneAllLandmarks(kNoParallax, &session).num_frames, 2u);
+    for (const uint32_t frame : smaller) EXPECT_EQ(session.keyframes().count(frame), 0u);
+    EXPECT_EQ(session.keyframes().size(), 3u);
+    EXPECT_EQ(CheckInvariants(session), "");
+  }
 }
 
 TEST(PruneLandmarks, PassesOverTracksWithoutLandmark) {

@@ -125,6 +125,7 @@ class OfflineMapper {
   LandmarkCounts landmarks_;  // of the mapper's thread
   uint32_t next_nonce_ = 0;
   std::map<DriveId, uint32_t> kept_before_;  // the index after the last frame that the store held
+  std::map<DriveId, SessionId> newest_sessions_;
 };
 
 }  // namespace rovio_sfm

@@ -51,6 +51,10 @@ class PlaceRecognizer {
   // Remembers a keyframe without asking.
   void Remember(const FrameEvent& event);
 
+  // The drive's session was lost; the newest num_kept keyframes belong to the next one. Its frames
+  // may match those of the lost one at once.
+  void EndRecentPast(const DriveId& drive, size_t num_kept);
+
   // Looks for the places of `queries` among `others`, all of them known keyframes, with the lower
   // thresholds of options.overlap_candidates. Queries that are near in their drive are no overlap.
   std::vector<PlaceMatch> FindOverlaps(const std::vector<FrameId>& queries,

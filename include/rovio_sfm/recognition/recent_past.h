@@ -34,6 +34,11 @@ class RecentPast {
   // the drive's first, do not belong to its recent past.
   size_t Add(const std::vector<TrackId>& tracks, const std::vector<TrackLink>& links);
 
+  // The drive was lost: all but its newest num_kept keyframes are to be found again.
+  void Break(size_t num_kept) {
+    chain_begin_ = num_keyframes_ > num_kept ? num_keyframes_ - num_kept : 0;
+  }
+
  private:
   struct Span {
     size_t first = 0, last = 0;  // keyframes that showed the track, counted from 0

@@ -33,6 +33,8 @@ struct EvidenceOptions {
   // inliers and such a share of all that may be seen are proof, if neighbours agree.
   int min_wide_inliers = 100;
   double min_wide_share = 0.4;
+  // Of the alignment: sessions of nearly pure rotation fit at almost any scale.
+  double max_sigma_log_scale = 0.03;
   double max_log_scale_gap = 0.05;
   double refuted_log_scale_gap = 0.25;
 
@@ -55,6 +57,8 @@ struct EvidenceOptions {
                     "where fewer than min_visible should be seen: proof from so many");
     table.AddNumber("min_wide_share", min_wide_share, 0.0, 1.0,
                     "and such a share of what views farther aside show");
+    table.AddNumber("max_sigma_log_scale", max_sigma_log_scale, 0.001, 1.0,
+                    "of the scale, where odometry does not tell both");
     table.AddNumber("max_log_scale_gap", max_log_scale_gap, 0.001, 1.0,
                     "of the neighbours of the query");
     table.AddNumber("refuted_log_scale_gap", refuted_log_scale_gap, 0.001, 10.0, "above: refuted");
@@ -76,6 +80,7 @@ struct OverlapEvidence {
   int num_visible_matched = 0;
   int num_wide = 0;  // the same, from angles from which it may be visible
   int num_wide_matched = 0;
+  double sigma_log_scale = 0.0;              // of the alignment; 0 where odometry tells both scales
   std::vector<double> neighbour_log_scales;  // log(scale by a neighbour / scale of the overlap)
 };
 
@@ -86,9 +91,10 @@ enum class EvidenceReason : uint8_t {
   kOneDepth = 3,
   kVisibilityUnknown = 4,
   kLowShare = 5,
-  kNeighboursDisagree = 6,
-  kAbsent = 7,  // from here on: why refused
-  kNeighboursContradict = 8,
+  kScaleUnknown = 6,
+  kNeighboursDisagree = 7,
+  kAbsent = 8,  // from here on: why refused
+  kNeighboursContradict = 9,
 };
 
 struct EvidenceVerdict {

@@ -11,6 +11,7 @@ namespace rovio_sfm {
 struct PruneReport {
   uint32_t num_observations = 0;  // removed, with those of removed landmarks
   uint32_t num_landmarks = 0;     // removed
+  uint32_t num_frames = 0;        // keyframes removed
 };
 
 // Removes observations with a larger reprojection error (tau_r, §3.8) or behind their camera, then
@@ -18,6 +19,9 @@ struct PruneReport {
 // tracks (those without a landmark are passed over), or of all.
 PruneReport PruneLandmarks(const std::vector<TrackId>& tracks, const LandmarkLimits& limits,
                            Session* session);
+
+// Prunes all landmarks, and then removes the keyframes that no longer hang on the largest part of
+// the session by ten landmarks: nothing holds their poses any more, and least of all their scale.
 PruneReport PruneAllLandmarks(const LandmarkLimits& limits, Session* session);
 
 // The robust spread of the reprojection errors, in sigmas: 1.4826 times the median of the
