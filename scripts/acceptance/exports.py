@@ -27,7 +27,7 @@ for path in sys.argv[1:]:
 def exported(quick):
     """(folder, summary) of tum_fr1_xyz in all formats; made once in a run."""
     summary = map_images("exports/tum_fr1_xyz", [dataset("tum_fr1_xyz")], "--format", FORMATS,
-                         *(("--stride", 8) if quick else ()))
+                         *(("--stride", 8) if quick else ("--mode", "parallax")))
     return WORK / "exports/tum_fr1_xyz", summary
 
 

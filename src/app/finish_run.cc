@@ -31,6 +31,7 @@ void Complete(const RunToFinish& finish, MapRun* run) {
   run->merges = mapper.merge_reports();
   run->places = mapper.place_counters();
   run->landmarks = mapper.landmark_counts();
+  run->num_rejoined = mapper.num_rejoined();
   run->motion = mapper.motion_counts();
   AddReasons(mapper.reasons(), &run->left_out);
   run->stages = finish.times->totals();

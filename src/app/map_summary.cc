@@ -145,10 +145,12 @@ Json FunnelJson(const MatchingFunnel& funnel) {
       {"guided_share", share(funnel.guided)}};
 }
 
-Json MapperJson(const MapperCounters& counters) {
+Json MapperJson(const MapRun& run) {
+  const MapperCounters& counters = run.mapper;
   return {{"weak_frames", counters.weak_frames},
           {"refused_events", counters.refused_events},
           {"lost_sessions", counters.lost_sessions},
+          {"rejoined_frames", run.num_rejoined},
           {"global_adjustments", counters.global_adjustments}};
 }
 
@@ -208,7 +210,7 @@ Json MapSummaryJson(const MapRun& run) {
   AddErrors(map, run, &json);
   AddOdometryDelay(map, run, &json);
   json["matching"] = FunnelJson(run.funnel);
-  json["mapper"] = MapperJson(run.mapper);
+  json["mapper"] = MapperJson(run);
   json["merges"] = MergesJson(run.merges);
   const std::string why = WhyInMapUnits(run);
   json["why_in_map_units"] = why.empty() ? Json() : Json(why);

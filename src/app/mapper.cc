@@ -1,5 +1,8 @@
 #include "rovio_sfm/app/mapper.h"
 
+#include <utility>
+
+#include "rovio_sfm/mapping/grow_map.h"
 #include "rovio_sfm/mapping/make_keyframe.h"
 #include "rovio_sfm/merging/match_across_break.h"
 #include "rovio_sfm/merging/share_scales.h"
@@ -86,6 +89,13 @@ void Mapper::AddSeeded(const std::vector<FrameEvent>& events,
   for (const PlaceMatch& match : matches) Add(match);
 }
 
+bool Mapper::Rejoin(const FrameEvent& event, const PlaceMatch& place) {
+  const Session* session =
+      RejoinFrame(event, place, options_, *context_.store, context_.times, keeper_.LendSessions());
+  if (session != nullptr) rejoined_.insert(session->id());
+  return session != nullptr;
+}
+
 MergeReport Mapper::Merge(SessionId a, SessionId b, bool force) {
   return keeper_.Merge(a, b, force);
 }
@@ -141,8 +151,17 @@ bool Mapper::FinishSession(const DriveId& drive) {
   return true;
 }
 
-void Mapper::Finish() {
+void Mapper::FinishDrives() {
   for (const auto& [id, drive] : drives_) FinishDrive(id);
+}
+
+void Mapper::Finish() {
+  FinishDrives();
+  for (const SessionId id : std::exchange(rejoined_, {})) {
+    Session* session = keeper_.LendSessions()->Lend(id);
+    AdjustFinally(options_, session);
+    RefineLightFrames(options_, session);
+  }
   AdjustMaps(std::nullopt);
   keeper_.GiveUpWaiting();
 }

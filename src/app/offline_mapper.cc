@@ -12,6 +12,7 @@ constexpr size_t kMappingQueue = 4;       // events; the frontend waits where ma
 constexpr size_t kPreparedPerThread = 4;  // images ahead of the frontend
 constexpr size_t kFramesPerCommit = 10;
 constexpr size_t kMaxNewestBytes = 64u << 20;
+constexpr int kRejoinRounds = 4;
 
 void Add(const FrontendCounters& more, FrontendCounters* sum) {
   sum->images += more.images;
@@ -30,6 +31,16 @@ void Add(const FrontendCounters& more, FrontendCounters* sum) {
 
 uint64_t NumDropped(const FrontendCounters& counters) {
   return counters.refused + counters.spoilt + counters.featureless + counters.untracked;
+}
+
+bool IsHeld(const FrameId& id, const SessionTable& sessions) {
+  for (const auto& [session_id, session] : sessions.all()) {
+    if (!(session->drive() == id.drive)) continue;
+    if (session->keyframes().count(id.index) + session->light_frames().count(id.index) > 0) {
+      return true;
+    }
+  }
+  return false;
 }
 
 // The other half is for adjusting and writing.
@@ -146,6 +157,55 @@ void OfflineMapper::Map(const FrameEvent& event) {
   mapper_.SaveTo(kept_);
 }
 
+// Frames between sessions, and those that tracking dropped, once all that may show their places is
+// mapped.
+void OfflineMapper::RejoinLost() {
+  if (kept_ == nullptr) return;
+  for (const auto& [drive, next_index] : mapper_.NextIndices()) {
+    const auto kept = kept_before_.find(drive);
+    if (kept != kept_before_.end() && kept->second == next_index) continue;
+    std::vector<uint32_t> lost;
+    for (const uint32_t index : kept_->frames().ReadIndices(drive)) {
+      if (!IsHeld({drive, index}, mapper_.maps().sessions())) lost.push_back(index);
+    }
+    RejoinLost(drive, lost);
+  }
+}
+
+// In rounds, as each keyframe that joins brings landmarks that others may show; light frames last.
+void OfflineMapper::RejoinLost(const DriveId& drive, std::vector<uint32_t> lost) {
+  std::map<uint32_t, PlaceMatch> places = PlacesOf(lost, drive);
+  const size_t num_lost = lost.size();
+  for (int round = 0; round <= kRejoinRounds && HasTimeToMap(); ++round) {
+    const FrameKind kind = round < kRejoinRounds ? FrameKind::kKeyframe : FrameKind::kLight;
+    const auto joins = [&](uint32_t index) {
+      const auto event = kept_->frames().ReadEvent({drive, index}, EventParts::kAll);
+      return event && event->kind == kind && mapper_.Rejoin(*event, places[index]);
+    };
+    lost.erase(std::remove_if(lost.begin(), lost.end(), joins), lost.end());
+  }
+  num_rejoined_ += num_lost - lost.size();
+}
+
+// Where the keyframes among them match posed ones of their drive, by index.
+std::map<uint32_t, PlaceMatch> OfflineMapper::PlacesOf(const std::vector<uint32_t>& lost,
+                                                       const DriveId& drive) {
+  std::map<uint32_t, PlaceMatch> places;
+  if (!recognizer_) return places;
+  std::vector<FrameId> queries, posed;
+  for (const uint32_t index : lost) queries.push_back({drive, index});
+  for (const auto& [id, session] : mapper_.maps().sessions().all()) {
+    for (const auto& [index, frame] : session->keyframes()) {
+      if (session->drive() == drive && !frame.weak) posed.push_back({drive, index});
+    }
+  }
+  for (PlaceMatch& match : recognizer_->FindOverlaps(queries, posed)) {
+    const uint32_t index = match.query.index;
+    places.emplace(index, std::move(match));
+  }
+  return places;
+}
+
 void OfflineMapper::Localize(const FrameEvent& event) {
   store_->Put(event);
   KeepBest(localizer_->Add(event));
@@ -213,6 +273,8 @@ std::shared_ptr<const MapSnapshot> OfflineMapper::Drain() {
 std::shared_ptr<const MapSnapshot> OfflineMapper::Finish() {
   const std::shared_ptr<const MapSnapshot> drained = Drain();
   if (localizer_) return drained;
+  mapper_.FinishDrives();
+  RejoinLost();
   mapper_.Finish();
   if (kept_ != nullptr) mapper_.SaveTo(kept_);
   return mapper_.Snapshot();

@@ -4,16 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "rovio_sfm/mapping/grow_map.h"
 #include "rovio_sfm/mapping/link_tracks.h"
 #include "rovio_sfm/mapping/make_keyframe.h"
 #include "rovio_sfm/mapping/register_frame.h"
-#include "rovio_sfm/mapping/search_landmarks.h"
 #include "rovio_sfm/mapping/seed_session.h"
-#include "rovio_sfm/mapping/stage_options.h"
 #include "rovio_sfm/mapping/start_session.h"
 #include "rovio_sfm/mapping/update_scale.h"
 #include "rovio_sfm/mapping/weak_pose.h"
-#include "rovio_sfm/sfm/triangulate_tracks.h"
 #include "rovio_sfm/util/degrees.h"
 
 namespace rovio_sfm {
@@ -214,27 +212,8 @@ std::optional<Registration> DriveMapper::Resect(const FrameEvent& event, MapperR
 }
 
 MapGrowth DriveMapper::GrowMap(uint32_t frame) {
-  MapGrowth growth;
   ++counters_.keyframes;
-  const MapperOptions& options = context_.options;
-  const LandmarkLimits triangulate = TriangulationLimits(options);
-  {
-    const auto scope = MeasureStage(context_.times, "search");
-    CompleteLandmarks(frame, triangulate.max_error_sigmas, &current());
-    SearchLandmarksOptions search;
-    search.max_error_sigmas = options.prune.max_error_px / options.pixel_sigma_px;
-    search.f2 = options.f2;
-    const SearchReport found = SearchLandmarks(frame, search, *context_.store, &current());
-    growth.num_found = found.num_added;
-    growth.num_united = found.num_united;
-  }
-  {
-    const auto scope = MeasureStage(context_.times, "triangulate");
-    growth.num_created = TriangulateTracks(frame, triangulate, &current()).num_created;
-  }
-  const auto scope = MeasureStage(context_.times, "adjust_locally");
-  growth.num_pruned = AdjustLocally(frame, options, &current()).num_observations;
-  return growth;
+  return rovio_sfm::GrowMap(frame, context_.options, *context_.store, context_.times, &current());
 }
 
 void DriveMapper::AddWeak(const FrameEvent& event, MapperReport* report) {

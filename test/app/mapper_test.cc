@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mapping/mapped_drive.h"
 #include "rovio_sfm/scene/memory_frame_store.h"
 #include "synthetic/synthetic_drive.h"
 
@@ -78,6 +79,24 @@ TEST(Mapper, RefusesEventsThatDoNotFitAndLeavesTheMapsAsTheyWere) {
   EXPECT_EQ(BytesOf(*setup.mapper.Snapshot()), before);
   EXPECT_EQ(setup.mapper.counters().refused_events, 2u);
   EXPECT_NE(setup.mapper.Add(drive.events[13]).outcome, MapperOutcome::kRefused);
+}
+
+TEST(Mapper, PosesALostFrameAtTheEnd) {
+  SyntheticDriveOptions options;
+  options.blind = {7};
+  const SyntheticDrive drive = MakeSyntheticDrive(options);
+  const FrameEvent& lost = drive.events[7];
+  Mapping setup;
+  setup.Add(drive);
+  setup.mapper.FinishDrives();
+  ASSERT_EQ(setup.mapper.maps().sessions().FindHolder(lost.id), nullptr);
+  EXPECT_FALSE(setup.mapper.Rejoin(lost, {}));
+  EXPECT_TRUE(setup.mapper.Rejoin(lost, TruePlace(drive, 7, 4)));
+  setup.mapper.Finish();
+  const auto error = MeasureTrajectory(setup.mapper.Snapshot()->sessions.at(0), drive.world);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->num_frames, drive.events.size());
+  EXPECT_LT(error->max_distance, 1e-3);
 }
 
 TEST(Mapper, MapsDrivesApart) {

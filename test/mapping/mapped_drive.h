@@ -1,9 +1,11 @@
 #pragma once
 
 #include <deque>
+#include <map>
 
 #include "rovio_sfm/mapping/make_keyframe.h"
 #include "rovio_sfm/scene/memory_frame_store.h"
+#include "rovio_sfm/scene/place_match.h"
 #include "rovio_sfm/scene/session.h"
 #include "synthetic/synthetic_drive.h"
 #include "synthetic/synthetic_session.h"
@@ -44,6 +46,19 @@ inline MemoryFrameStore StoreOf(const SyntheticDrive& drive) {
     if (event.kind == FrameKind::kKeyframe) store.Put(event.id, event.features);
   }
   return store;
+}
+
+// What two keyframes of the drive see of the same points.
+inline PlaceMatch TruePlace(const SyntheticDrive& drive, uint32_t query, uint32_t other) {
+  std::map<uint32_t, uint32_t> features;  // of the other frame, by point
+  const auto& views = drive.world.views;
+  for (uint32_t i = 0; i < views[other].size(); ++i) features[views[other][i].point] = i;
+  OverlapPair pair{drive.events[other].id, PairVerdict::kGeneral, {}, {}};
+  for (uint32_t i = 0; i < views[query].size(); ++i) {
+    const auto seen = features.find(views[query][i].point);
+    if (seen != features.end()) pair.inliers.push_back({seen->second, i});
+  }
+  return {drive.events[query].id, 1.0, 0.0, {pair}};
 }
 
 // Moves keyframes (but the first) and landmarks from where they are.

@@ -35,6 +35,7 @@ struct MapRun {
   std::map<std::string, YawByStamp> odometry;                    // by robot, as it was used
   PlaceCounters places;
   LandmarkCounts landmarks;
+  uint64_t num_rejoined = 0;
   MotionCounts motion;
   std::string why_no_scale;  // what is known of why no scale can be; may be empty
   ReasonCounts left_out;     // images, messages, frames

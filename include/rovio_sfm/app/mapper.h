@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "rovio_sfm/io/map_store.h"
@@ -49,6 +50,9 @@ class Mapper {
   void AddSeeded(const std::vector<FrameEvent>& events, const std::vector<PlaceMatch>& matches);
   // Live: applies the adjustments that are ready, without waiting for the next frame. False: none.
   bool ApplyDueResults() { return keeper_.ApplyDueResults(); }
+  // Puts a frame that was added, but that no session holds, where its drive's sessions see it; the
+  // match may be empty. After FinishDrives; Finish adjusts these sessions. False: none poses it.
+  bool Rejoin(const FrameEvent& event, const PlaceMatch& place);
   // By request; see MapKeeper. The report says what was done, or why not.
   MergeReport Merge(SessionId a, SessionId b, bool force);
   MergeReport MergeAt(SessionId a, SessionId b, const Sim3& b_from_a);
@@ -63,7 +67,9 @@ class Mapper {
   // Closes the drive's current session with its final adjustment; should the drive go on, its next
   // frame opens another. False if the drive is unknown.
   bool FinishSession(const DriveId& drive);
-  // The same for every drive.
+  // Closes every drive's current session.
+  void FinishDrives();
+  // The same, and adjusts all maps finally.
   void Finish();
 
   std::shared_ptr<const MapSnapshot> Snapshot() const;
@@ -85,6 +91,7 @@ class Mapper {
   MapKeeper keeper_;
   MapperContext context_;
   std::map<DriveId, std::unique_ptr<DriveMapper>> drives_;
+  std::set<SessionId> rejoined_;  // sessions that got frames again
   mutable uint64_t version_ = 0;
 };
 

@@ -85,6 +85,8 @@ class OfflineMapper {
   }
   // Why images and frames were left out.
   ReasonCounts reasons() const;
+  // Frames that were lost when they came, and posed at the end.
+  uint64_t num_rejoined() const { return num_rejoined_; }
   MapperCounters mapper_counters() const { return mapper_.counters(); }
   std::vector<MergeReport> merge_reports() const { return mapper_.MergeReports(); }
   // Where the images stand, with options.localize: those that were posed, by drive and index.
@@ -99,6 +101,9 @@ class OfflineMapper {
   void Map(const FrameEvent& event);
   void MapSeeded();
   void MapFirst(const std::vector<FrameEvent>& events, const std::vector<PlaceMatch>& matches);
+  void RejoinLost();
+  void RejoinLost(const DriveId& drive, std::vector<uint32_t> lost);
+  std::map<uint32_t, PlaceMatch> PlacesOf(const std::vector<uint32_t>& lost, const DriveId& drive);
   void Localize(const FrameEvent& event);
   void KeepBest(const std::optional<Localization>& pose);
 
@@ -123,6 +128,7 @@ class OfflineMapper {
   ReasonCounts dropped_, refused_;  // by the frontend, by the mapper (on its thread)
   MotionCounts motion_;
   LandmarkCounts landmarks_;  // of the mapper's thread
+  uint64_t num_rejoined_ = 0;
   uint32_t next_nonce_ = 0;
   std::map<DriveId, uint32_t> kept_before_;  // the index after the last frame that the store held
   std::map<DriveId, SessionId> newest_sessions_;

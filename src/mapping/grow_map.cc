@@ -1,0 +1,121 @@
+#include "rovio_sfm/mapping/grow_map.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "rovio_sfm/mapping/adjust_session.h"
+#include "rovio_sfm/mapping/link_tracks.h"
+#include "rovio_sfm/mapping/make_keyframe.h"
+#include "rovio_sfm/mapping/register_frame.h"
+#include "rovio_sfm/mapping/search_landmarks.h"
+#include "rovio_sfm/mapping/stage_options.h"
+#include "rovio_sfm/sfm/triangulate_tracks.h"
+
+namespace rovio_sfm {
+namespace {
+
+using TrackOfFeature = std::map<uint32_t, TrackId>;
+
+// The session's landmarks that a frame outside it shows, those of its own tracks first.
+TrackOfFeature LandmarksShown(const FrameEvent& event, const PlaceMatch& place,
+                              const Session& session) {
+  TrackOfFeature shown;
+  for (uint32_t i = 0; i < event.tracks.size(); ++i) {
+    if (event.tracks[i] == 0 || session.FindLandmark(event.tracks[i]) == nullptr) continue;
+    shown[i] = session.RootOf(event.tracks[i]);
+  }
+  for (const OverlapPair& pair : place.pairs) {
+    if (!(pair.other.drive == session.drive())) continue;
+    for (const FeatureMatch& inlier : pair.inliers) {
+      const FeatureRef feature{session.id(), pair.other.index, inlier.a};
+      if (inlier.b >= event.tracks.size()) continue;
+      if (ObservedLandmark(session, feature) == nullptr) continue;
+      shown.try_emplace(inlier.b, session.keyframe(feature.frame).tracks[feature.feature]);
+    }
+  }
+  return shown;
+}
+
+// The feature becomes a member of the landmark's track, unless another one of its frame is.
+void JoinTrack(const Observation& feature, TrackId track, const FilterF2Options& f2,
+               Session* session) {
+  if (session->MoveToTrack(feature, track)) return;
+  const TrackId own = session->keyframe(feature.frame).tracks[feature.feature];
+  if (own == 0 || session->UniteTracks(own, track)) return;
+  TryUniteLandmarks(own, track, f2, session);
+}
+
+bool RejoinKeyframe(const FrameEvent& event, const TrackOfFeature& shown,
+                    const MapperOptions& options, Session* session) {
+  std::vector<PoseObservation> observations;
+  for (const auto& [feature, track] : shown) {
+    const Keypoint& keypoint = event.features->keypoints[feature];
+    observations.push_back({session->landmarks().at(track).position, keypoint.x_normalized,
+                            FeatureSigma(keypoint, event.camera, options)});
+  }
+  const auto registration = RegisterObservations(observations, event.id.index, options);
+  if (!registration) return false;
+  session->AddKeyframe(event.id.index,
+                       MakeKeyframe(event, registration->cam_from_session, options));
+  for (const auto& [feature, track] : shown) {
+    JoinTrack({event.id.index, feature}, session->RootOf(track), options.f2, session);
+  }
+  return true;
+}
+
+bool RejoinLightFrame(const FrameEvent& event, const MapperOptions& options, Session* session) {
+  LightFrame frame = MakeLightFrame(event);
+  if (!PoseLightFrame(event.id.index, {}, options, &frame, *session)) return false;
+  session->AddLightFrame(event.id.index, std::move(frame));
+  return true;
+}
+
+}  // namespace
+
+MapGrowth GrowMap(uint32_t frame, const MapperOptions& options, const FrameStore& store,
+                  StageTimes* times, Session* session) {
+  MapGrowth growth;
+  const LandmarkLimits triangulate = TriangulationLimits(options);
+  {
+    const auto scope = MeasureStage(times, "search");
+    CompleteLandmarks(frame, triangulate.max_error_sigmas, session);
+    SearchLandmarksOptions search;
+    search.max_error_sigmas = options.prune.max_error_px / options.pixel_sigma_px;
+    search.f2 = options.f2;
+    const SearchReport found = SearchLandmarks(frame, search, store, session);
+    growth.num_found = found.num_added;
+    growth.num_united = found.num_united;
+  }
+  {
+    const auto scope = MeasureStage(times, "triangulate");
+    growth.num_created = TriangulateTracks(frame, triangulate, session).num_created;
+  }
+  const auto scope = MeasureStage(times, "adjust_locally");
+  growth.num_pruned = AdjustLocally(frame, options, session).num_observations;
+  return growth;
+}
+
+Session* RejoinFrame(const FrameEvent& event, const PlaceMatch& place, const MapperOptions& options,
+                     const FrameStore& store, StageTimes* times, SessionTable* sessions) {
+  std::vector<std::pair<TrackOfFeature, Session*>> ranked;
+  for (const auto& [id, session] : sessions->all()) {
+    if (!(session->drive() == event.id.drive)) continue;
+    TrackOfFeature shown = LandmarksShown(event, place, *session);
+    if (!shown.empty()) ranked.emplace_back(std::move(shown), session.get());
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
+  for (const auto& [shown, session] : ranked) {
+    if (event.kind == FrameKind::kLight) {
+      if (RejoinLightFrame(event, options, session)) return session;
+    } else if (RejoinKeyframe(event, shown, options, session)) {
+      GrowMap(event.id.index, options, store, times, session);
+      return session;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace rovio_sfm
