@@ -9,6 +9,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as pyplot
+import numpy
 
 FIRST = 500  # keyframes after which memory may grow by what the map itself takes alone
 
@@ -20,13 +21,12 @@ def read_columns(path):
 
 
 def growth_kb(columns):
-    """Resident kB a keyframe after the first ones, by the first and the last row; None: too short."""
-    later = [i for i, count in enumerate(columns["keyframes"]) if count >= FIRST]
+    """Resident kB a keyframe after the first ones: the slope of a line through all rows, as a single one may hold
+    what an adjustment is about to give back; None: too short."""
+    later = [(count, mib) for count, mib in zip(columns["keyframes"], columns["resident_mib"]) if count >= FIRST]
     if len(later) < 2:
         return None
-    first, last = later[0], later[-1]
-    grown_mib = columns["resident_mib"][last] - columns["resident_mib"][first]
-    return 1024 * grown_mib / (columns["keyframes"][last] - columns["keyframes"][first])
+    return 1024 * numpy.polyfit(*zip(*later), 1)[0]
 
 
 def main():
