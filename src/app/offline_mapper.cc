@@ -192,16 +192,17 @@ std::map<uint32_t, PlaceMatch> OfflineMapper::PlacesOf(const std::vector<uint32_
                                                        const DriveId& drive) {
   std::map<uint32_t, PlaceMatch> places;
   if (!recognizer_) return places;
-  std::vector<FrameId> queries, posed;
-  for (const uint32_t index : lost) queries.push_back({drive, index});
+  std::vector<FrameId> posed;
   for (const auto& [id, session] : mapper_.maps().sessions().all()) {
     for (const auto& [index, frame] : session->keyframes()) {
       if (session->drive() == drive && !frame.weak) posed.push_back({drive, index});
     }
   }
-  for (PlaceMatch& match : recognizer_->FindOverlaps(queries, posed)) {
-    const uint32_t index = match.query.index;
-    places.emplace(index, std::move(match));
+  for (const uint32_t index : lost) {
+    if (!HasTimeToMap()) break;
+    for (PlaceMatch& match : recognizer_->FindOverlaps({{drive, index}}, posed)) {
+      places.emplace(index, std::move(match));
+    }
   }
   return places;
 }
