@@ -179,7 +179,7 @@ void OfflineMapper::RejoinLost(const DriveId& drive, std::vector<uint32_t> lost)
   for (int round = 0; round <= kRejoinRounds && HasTimeToMap(); ++round) {
     const FrameKind kind = round < kRejoinRounds ? FrameKind::kKeyframe : FrameKind::kLight;
     const auto joins = [&](uint32_t index) {
-      const auto event = kept_->frames().ReadEvent({drive, index}, EventParts::kAll);
+      const auto event = kept_->frames().ReadEvent({drive, index}, EventParts::kBare);
       return event && event->kind == kind && mapper_.Rejoin(*event, places[index]);
     };
     lost.erase(std::remove_if(lost.begin(), lost.end(), joins), lost.end());

@@ -80,6 +80,7 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
     const PruneReport pruned = PruneAllLandmarks(FinalPrune(options, *session), session);
     total.num_observations += pruned.num_observations;
     total.num_landmarks += pruned.num_landmarks;
+    total.num_frames += pruned.num_frames;
     num_changed += pruned.num_observations;
     if (num_changed < kSettledShare * static_cast<double>(NumObservations(*session))) break;
   }

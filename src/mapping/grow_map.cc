@@ -38,30 +38,30 @@ TrackOfFeature LandmarksShown(const FrameEvent& event, const PlaceMatch& place,
   return shown;
 }
 
-// The feature becomes a member of the landmark's track, unless another one of its frame is.
-void JoinTrack(const Observation& feature, TrackId track, const FilterF2Options& f2,
-               Session* session) {
-  if (session->MoveToTrack(feature, track)) return;
-  const TrackId own = session->keyframe(feature.frame).tracks[feature.feature];
-  if (own == 0 || session->UniteTracks(own, track)) return;
-  TryUniteLandmarks(own, track, f2, session);
+// The frame's features become members of the landmarks' tracks, one each, or their tracks united.
+void JoinTracks(uint32_t frame, const TrackOfFeature& shown, const FilterF2Options& f2,
+                Session* session) {
+  std::vector<TrackLink> links;
+  for (const auto& [feature, track] : shown) {
+    if (session->MoveToTrack({frame, feature}, track)) continue;
+    const TrackId own = session->keyframe(frame).tracks[feature];
+    if (own != 0) links.push_back({own, track});
+  }
+  LinkTracks(f2, &links, session);
 }
 
 bool RejoinKeyframe(const FrameEvent& event, const TrackOfFeature& shown,
                     const MapperOptions& options, Session* session) {
   std::vector<PoseObservation> observations;
   for (const auto& [feature, track] : shown) {
-    const Keypoint& keypoint = event.features->keypoints[feature];
-    observations.push_back({session->landmarks().at(track).position, keypoint.x_normalized,
-                            FeatureSigma(keypoint, event.camera, options)});
+    observations.push_back(
+        ObserveLandmark(event, feature, session->landmarks().at(track).position, options));
   }
   const auto registration = RegisterObservations(observations, event.id.index, options);
   if (!registration) return false;
   session->AddKeyframe(event.id.index,
                        MakeKeyframe(event, registration->cam_from_session, options));
-  for (const auto& [feature, track] : shown) {
-    JoinTrack({event.id.index, feature}, session->RootOf(track), options.f2, session);
-  }
+  JoinTracks(event.id.index, shown, options.f2, session);
   return true;
 }
 

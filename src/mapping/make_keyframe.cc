@@ -9,6 +9,12 @@ double FeatureSigma(const Keypoint& keypoint, const Camera& camera, const Mapper
                  {options.pixel_sigma_px, options.sigma_size_px, options.sigma_exponent});
 }
 
+PoseObservation ObserveLandmark(const FrameEvent& event, uint32_t feature,
+                                const Eigen::Vector3d& position, const MapperOptions& options) {
+  const Keypoint& keypoint = event.features->keypoints[feature];
+  return {position, keypoint.x_normalized, FeatureSigma(keypoint, event.camera, options)};
+}
+
 Keyframe MakeKeyframe(const FrameEvent& event, const Rigid3& cam_from_session,
                       const MapperOptions& options) {
   Keyframe frame;

@@ -49,9 +49,8 @@ std::optional<Registration> RegisterKeyframe(const FrameEvent& event, const Mapp
     if (event.tracks[i] == 0) continue;
     const Landmark* landmark = session.FindLandmark(event.tracks[i]);
     if (landmark == nullptr) continue;
-    const Keypoint& keypoint = event.features->keypoints[i];
     observations.push_back(
-        {landmark->position, keypoint.x_normalized, FeatureSigma(keypoint, event.camera, options)});
+        ObserveLandmark(event, static_cast<uint32_t>(i), landmark->position, options));
   }
   return RegisterObservations(observations, event.id.index, options);
 }

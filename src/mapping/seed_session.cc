@@ -55,9 +55,8 @@ std::optional<Rigid3> Resect(const FrameEvent& event, const Borrowed& by_feature
   std::vector<PoseObservation> observations;
   for (const auto& [feature, position] : by_feature) {
     if (feature >= event.features->keypoints.size()) continue;
-    const Keypoint& keypoint = event.features->keypoints[feature];
     observations.push_back(
-        {position, keypoint.x_normalized, FeatureSigma(keypoint, event.camera, options)});
+        ObserveLandmark(event, static_cast<uint32_t>(feature), position, options));
   }
   const auto registration = RegisterObservations(observations, event.id.index, options);
   if (!registration) return std::nullopt;

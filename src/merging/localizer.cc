@@ -92,9 +92,8 @@ std::optional<Localization> Localizer::Pose(const FrameEvent& event, const std::
     const MapPlace other = maps_->PlaceOf(view.landmark.session);
     if (landmark == nullptr || !(other.map == place.map)) continue;
     if (view.feature >= event.features->keypoints.size()) continue;
-    const Keypoint& keypoint = event.features->keypoints[view.feature];
-    observations.push_back({other.map_from_session * landmark->position, keypoint.x_normalized,
-                            FeatureSigma(keypoint, event.camera, options_)});
+    observations.push_back(ObserveLandmark(event, view.feature,
+                                           other.map_from_session * landmark->position, options_));
   }
   const auto registration = RegisterObservations(observations, event.id.index, options_);
   if (!registration) return std::nullopt;

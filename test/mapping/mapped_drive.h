@@ -1,7 +1,6 @@
 #pragma once
 
 #include <deque>
-#include <map>
 
 #include "rovio_sfm/mapping/make_keyframe.h"
 #include "rovio_sfm/scene/memory_frame_store.h"
@@ -50,14 +49,8 @@ inline MemoryFrameStore StoreOf(const SyntheticDrive& drive) {
 
 // What two keyframes of the drive see of the same points.
 inline PlaceMatch TruePlace(const SyntheticDrive& drive, uint32_t query, uint32_t other) {
-  std::map<uint32_t, uint32_t> features;  // of the other frame, by point
-  const auto& views = drive.world.views;
-  for (uint32_t i = 0; i < views[other].size(); ++i) features[views[other][i].point] = i;
-  OverlapPair pair{drive.events[other].id, PairVerdict::kGeneral, {}, {}};
-  for (uint32_t i = 0; i < views[query].size(); ++i) {
-    const auto seen = features.find(views[query][i].point);
-    if (seen != features.end()) pair.inliers.push_back({seen->second, i});
-  }
+  const OverlapPair pair{
+      drive.events[other].id, PairVerdict::kGeneral, {}, TrueMatches(drive.world, other, query)};
   return {drive.events[query].id, 1.0, 0.0, {pair}};
 }
 
