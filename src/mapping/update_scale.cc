@@ -56,10 +56,9 @@ std::optional<MapScale> ScaleFromCameraHeight(const ScaleOptions& options, const
   for (const auto& [id, landmark] : session.landmarks()) {
     if (landmark.observations.size() >= kMinFloorViews) points.push_back(landmark.position);
   }
-  FloorScaleOptions estimate;
-  estimate.height_sigma = options.camera_height_sigma;
-  if (!first.base_from_camera) estimate.up_sigma_rad = kUnknownUpSigmaRad;
-  return EstimateFloorScale(cameras, points, estimate);
+  FloorUncertainty uncertainty{options.camera_height_sigma};
+  if (!first.base_from_camera) uncertainty.up_sigma_rad = kUnknownUpSigmaRad;
+  return EstimateFloorScale(cameras, points, uncertainty);
 }
 
 // The more certain of both.

@@ -12,7 +12,12 @@ constexpr size_t kMaxCameras = 100, kMaxPoints = 4000;
 constexpr int kIterations = 10;
 constexpr double kDependentPoints = 10.0;      // so many share the errors of their cameras
 constexpr double kLeastResidualShare = 0.005;  // of the height; no floor is flatter
-constexpr double kMinSpreadHeights = 0.5;      // of the floor's points, across their narrower side
+constexpr double kMaxGapShare = 0.1;           // of the height: the floor's points
+constexpr double kMaxBelowShare = 0.1;         // points under the floor per point of it
+constexpr double kMaxSigma = 0.2;              // a less certain scale is none
+constexpr size_t kMinPoints = 30;              // of the floor
+constexpr size_t kMinFloorCameras = 5;
+constexpr double kMinSpreadHeights = 0.5;  // of the floor's points, across their narrower side
 
 // Cameras and points in a frame with z up, its origin amid the cameras. `ratio` is a camera's
 // height over the mean height.
@@ -70,8 +75,8 @@ double SquaredDistanceToPath(const Upright& scene, const Eigen::Vector3d& point)
 
 // How far below the cameras the deepest dense layer of points lies; nothing without one. Only
 // points near the path count: farther ones are moved too much by a wrong up direction.
-std::optional<double> FindLayer(const Upright& scene, const FloorScaleOptions& options) {
-  const double reach = options.max_gap_share / options.up_sigma_rad;
+std::optional<double> FindLayer(const Upright& scene, double up_sigma_rad) {
+  const double reach = kMaxGapShare / up_sigma_rad;
   std::vector<double> depths;
   for (const Eigen::Vector3d& point : scene.points) {
     const double depth = -point.z();
@@ -81,15 +86,15 @@ std::optional<double> FindLayer(const Upright& scene, const FloorScaleOptions& o
   std::sort(depths.begin(), depths.end());
   std::vector<size_t> counts(depths.size());  // of the layer that begins at this depth
   for (size_t i = 0, end = 0; i < depths.size(); ++i) {
-    while (end < depths.size() && depths[end] <= depths[i] * (1.0 + 2.0 * options.max_gap_share)) {
+    while (end < depths.size() && depths[end] <= depths[i] * (1.0 + 2.0 * kMaxGapShare)) {
       ++end;
     }
     counts[i] = end - i;
   }
   if (counts.empty()) return std::nullopt;
   const size_t most = *std::max_element(counts.begin(), counts.end());
-  const double enough = std::max(static_cast<double>(options.min_points),
-                                 options.max_below_share * static_cast<double>(most));
+  const double enough =
+      std::max(static_cast<double>(kMinPoints), kMaxBelowShare * static_cast<double>(most));
   for (size_t i = counts.size(); i-- > 0;) {
     if (static_cast<double>(counts[i]) >= enough) return depths[i + counts[i] / 2];
   }
@@ -125,7 +130,7 @@ double PointResidual(const Floor& floor, const std::vector<Eigen::Vector3d>& poi
 // Least squares over cameras (at their heights), points (on the floor) and a level prior; every
 // kind weighted by its residuals from the last floor.
 Floor Refit(const Floor& last, const Upright& scene, const std::vector<Eigen::Vector3d>& points,
-            const FloorScaleOptions& options) {
+            double up_sigma_rad) {
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();  // of slope, offset, height
   Eigen::Vector4d right = Eigen::Vector4d::Zero();
   const auto add = [&](const Eigen::Vector3d& x, double ratio, double sigma) {
@@ -140,7 +145,7 @@ Floor Refit(const Floor& last, const Upright& scene, const std::vector<Eigen::Ve
     add(scene.cameras[i], scene.ratios[i], camera_sigma);
   }
   for (const auto& point : points) add(point, 0.0, point_sigma * std::sqrt(kDependentPoints));
-  normal.topLeftCorner<2, 2>().diagonal().array() += std::pow(options.up_sigma_rad, -2);
+  normal.topLeftCorner<2, 2>().diagonal().array() += std::pow(up_sigma_rad, -2);
   const Eigen::Matrix4d covariance = normal.inverse();
   const Eigen::Vector4d solution = covariance * right;
   return {solution.head<2>(), solution[2], solution[3], std::sqrt(covariance(3, 3))};
@@ -158,16 +163,15 @@ bool IsSpread(const std::vector<Eigen::Vector3d>& points, double height) {
   return axes.eigenvalues()[0] >= std::pow(kMinSpreadHeights * height, 2);
 }
 
-bool IsFloor(const Floor& floor, const Upright& scene, const FloorScaleOptions& options) {
+bool IsFloor(const Floor& floor, const Upright& scene) {
   if (!(floor.height > 0.0) || !std::isfinite(floor.height_sigma)) return false;
-  const double gap = options.max_gap_share * floor.height;
+  const double gap = kMaxGapShare * floor.height;
   const auto points = PointsOn(floor, scene, gap);
-  if (points.size() < static_cast<size_t>(options.min_points)) return false;
+  if (points.size() < kMinPoints) return false;
   const auto num_below =
       std::count_if(scene.points.begin(), scene.points.end(),
                     [&](const Eigen::Vector3d& point) { return floor.Above(point) < -2.0 * gap; });
-  return static_cast<double>(num_below) <=
-             options.max_below_share * static_cast<double>(points.size()) &&
+  return static_cast<double>(num_below) <= kMaxBelowShare * static_cast<double>(points.size()) &&
          CameraResidual(floor, scene) <= gap && IsSpread(points, floor.height);
 }
 
@@ -175,21 +179,21 @@ bool IsFloor(const Floor& floor, const Upright& scene, const FloorScaleOptions& 
 
 std::optional<MapScale> EstimateFloorScale(const std::vector<FloorCamera>& cameras,
                                            const std::vector<Eigen::Vector3d>& points_in_map,
-                                           const FloorScaleOptions& options) {
-  if (cameras.size() < static_cast<size_t>(options.min_cameras)) return std::nullopt;
+                                           const FloorUncertainty& uncertainty) {
+  if (cameras.size() < kMinFloorCameras) return std::nullopt;
   const Upright scene = MakeUpright(Thin(cameras, kMaxCameras), Thin(points_in_map, kMaxPoints));
-  const std::optional<double> depth = FindLayer(scene, options);
+  const std::optional<double> depth = FindLayer(scene, uncertainty.up_sigma_rad);
   if (!depth) return std::nullopt;
   Floor floor{Eigen::Vector2d::Zero(), -*depth, *depth, 0.0};
   for (int i = 0; i < kIterations; ++i) {
-    const auto points = PointsOn(floor, scene, options.max_gap_share * floor.height);
-    floor = Refit(floor, scene, points, options);
+    const auto points = PointsOn(floor, scene, kMaxGapShare * floor.height);
+    floor = Refit(floor, scene, points, uncertainty.up_sigma_rad);
     if (!(floor.height > 0.0)) return std::nullopt;
   }
-  if (!IsFloor(floor, scene, options)) return std::nullopt;
+  if (!IsFloor(floor, scene)) return std::nullopt;
   const double height = floor.height / std::sqrt(1.0 + floor.slope.squaredNorm());
-  const double sigma_log = std::hypot(floor.height_sigma / floor.height, options.height_sigma);
-  if (!(sigma_log <= options.max_sigma)) return std::nullopt;
+  const double sigma_log = std::hypot(floor.height_sigma / floor.height, uncertainty.height_sigma);
+  if (!(sigma_log <= kMaxSigma)) return std::nullopt;
   return MapScale{scene.mean_height_m / height, sigma_log, "camera height"};
 }
 

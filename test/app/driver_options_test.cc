@@ -29,7 +29,7 @@ TEST(LoadDriverOptions, FramesBearTheRobotsName) {
 
 TEST(LoadDriverOptions, SaysWhatIsWrong) {
   EXPECT_EQ(ErrorOf("{}"),
-            "rovio_driver.host = : expected a name or an IPv4 address, without scheme, port or "
+            "rovio_driver.host = : expected a name or IPv4 address, without scheme, port or "
             "path");
   EXPECT_EQ(ErrorOf("{host: rovio, hots: x}"), "rovio_driver.hots: unknown key");
   EXPECT_EQ(ErrorOf("{host: rovio, port: many}"), "rovio_driver.port: expected a whole number");

@@ -85,7 +85,7 @@ TEST(EstimateFloorScale, IsExactOnAFlatFloorWithoutNoise) {
   ASSERT_TRUE(scale.has_value());
   EXPECT_NEAR(scale->metres_per_unit, kMetresPerUnit, 0.01 * kMetresPerUnit);
   EXPECT_EQ(scale->source, "camera height");
-  EXPECT_GE(scale->sigma_log, FloorScaleOptions{}.height_sigma);
+  EXPECT_GE(scale->sigma_log, FloorUncertainty{}.height_sigma);
 }
 
 TEST(EstimateFloorScale, LearnsTheFloorsDirectionFromCamerasAndPoints) {
@@ -159,14 +159,6 @@ TEST(EstimateFloorScale, RefusesCamerasInNoPlane) {
 TEST(EstimateFloorScale, RefusesEmptyInput) {
   EXPECT_FALSE(EstimateFloorScale({}, {}, {}).has_value());
   EXPECT_FALSE(EstimateFloorScale(MakeRoom({}).cameras, {}, {}).has_value());
-}
-
-TEST(FloorScaleOptions, NamesWhatDoesNotFit) {
-  FloorScaleOptions options;
-  options.max_gap_share = 0.9;
-  std::string error;
-  EXPECT_FALSE(IsValid(options, &error));
-  EXPECT_EQ(error, "max_gap_share = 0.9: expected 0.01 to 0.3");
 }
 
 }  // namespace

@@ -30,15 +30,13 @@ struct MappingNodeOptions {
     table.AddText("output_dir", output_dir,
                   "of maps, absolute or below ~; empty: a dated one in $ROS_HOME/rovio_sfm");
     table.AddFlag("overwrite", overwrite, "the map written at the end may replace an older one");
-    table.AddFlag("keep_store", keep_store,
-                  "maps are kept in output_dir/map.db, and those that it holds go on");
+    table.AddFlag("keep_store", keep_store, "maps are kept in output_dir/map.db and go on");
     table.AddFlag("localize", localize,
                   "robots are posed in the maps of output_dir/map.db, which stay what they are");
     table.AddFlag("keep_images", keep_images, "the store keeps the JPEGs that frames bring");
     table.AddNumber("cloud_period_s", cloud_period_s, 0.1, 60.0, "the cloud goes out no oftener");
     table.AddNumber("drain_s", drain_s, 0.0, 3600.0, "at the end, for frames that are queued");
-    table.AddNumber("fetch_timeout_s", fetch_timeout_s, 0.1, 600.0,
-                    "missing frames that do not come by then are lost");
+    table.AddNumber("fetch_timeout_s", fetch_timeout_s, 0.1, 600.0, "missing frames are lost then");
     table.AddNumber("diagnostic_period", diagnostic_period, 0.1, 60.0, "s between two diagnostics");
     table.AddGroup("mapper", mapper, "config/mapping.yaml");
   }

@@ -14,8 +14,7 @@ struct MotionPriorOptions {
   double uniform_share = 0.1;
 
   void DescribeOptions(OptionTable& table) {
-    table.AddNumber("move_probability", move_probability, 0.0, 1.0,
-                    "of a place's mass, to its neighbours in the drive");
+    table.AddNumber("move_probability", move_probability, 0.0, 1.0, "to a place's neighbours");
     table.AddNumber("uniform_share", uniform_share, 0.001, 1.0,
                     "spread over all places, so that none is ruled out");
   }

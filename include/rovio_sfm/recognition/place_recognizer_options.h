@@ -43,9 +43,8 @@ struct PlaceRecognizerOptions {
     table.AddGroup("motion_prior", motion_prior, "where the robot may be, given where it was");
     table.AddGroup("candidates", candidates, "what appearance proposes to geometry");
     table.AddGroup("overlap_candidates", overlap_candidates,
-                   "the same for find_overlaps, which looks closer");
-    table.AddGroup("recent_past", recent_past,
-                   "what a keyframe may not be matched with in its own drive");
+                   "for find_overlaps, which looks closer");
+    table.AddGroup("recent_past", recent_past, "what a keyframe of its drive is not matched with");
     table.AddGroup("verify", verify, "geometry");
     table.AddNumber("seed", seed, 0, kNoLimit, "");
   }

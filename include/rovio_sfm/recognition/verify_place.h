@@ -28,8 +28,7 @@ struct VerifyPlaceOptions {
   void DescribeOptions(OptionTable& table) {
     table.AddGroup("pair", pair, "what the matches of a pair pass, in order");
     table.AddNumber("min_cells", min_cells, 1, 16, "of 4 x 4 in each image that hold an inlier");
-    table.AddNumber("max_neighbors", max_neighbors, 0, 50,
-                    "frames tried on each side of the matched one (§4.3.1)");
+    table.AddNumber("max_neighbors", max_neighbors, 0, 50, "frames tried on each side (§4.3.1)");
   }
 };
 

@@ -46,8 +46,7 @@ struct CurlTransportOptions : HttpLimits {
 
   void DescribeAddress(OptionTable& table) {
     table.AddText("host", host, "name or IPv4 address of the robot", OptionUse::kRequired);
-    table.AddRule("host", IsHostName(host),
-                  "a name or an IPv4 address, without scheme, port or path");
+    table.AddRule("host", IsHostName(host), "a name or IPv4 address, without scheme, port or path");
     table.AddNumber("port", port, 1, 65535, "");
   }
 

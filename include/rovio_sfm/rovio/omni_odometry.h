@@ -30,8 +30,7 @@ struct OmniOdometryOptions {
 
   void DescribeOptions(OptionTable& table) {
     table.AddNumber("wheel_distance_m", wheel_distance_m, 0.02, 1.0, "from the robot's centre");
-    table.AddDegrees("front_roll_angle_deg", front_roll_angle_rad, 0.01, 85.0,
-                     "of the front wheels off forward");
+    table.AddDegrees("front_roll_angle_deg", front_roll_angle_rad, 0.01, 85.0, "off forward");
     table.AddNumber("ticks_per_m", ticks_per_m, 10.0, 1e5, "along a wheel's rim");
     // +1 when direction byte 0x02 means: front wheels backward, rear wheel to the right.
     table.AddNumbers("wheel_sign", wheel_sign, -1, 1, "left, right, rear");

@@ -21,8 +21,7 @@ struct OdometryGateOptions {
     table.AddFlag("enabled", enabled, "");
     table.AddNumber("max_rotation_gap_deg", max_rotation_gap_deg, 0.5, 180.0, "wheels and camera");
     table.AddNumber("max_direction_gap_deg", max_direction_gap_deg, 1.0, 180.0, "of directions");
-    table.AddNumber("min_distance_m", min_distance_m, 0.0, 10.0,
-                    "shorter moves have no direction worth comparing");
+    table.AddNumber("min_distance_m", min_distance_m, 0.0, 10.0, "shorter moves have no direction");
   }
 };
 
