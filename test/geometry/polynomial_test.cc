@@ -45,6 +45,14 @@ TEST(FindRealRoots, FindsTenRandomRoots) {
   }
 }
 
+TEST(FindRealRoots, TellsNearRootsApart) {
+  ExpectRoots(FromRoots({-3.0005, -3.0, 0.25, 0.2501, 7.0}), {-3.0005, -3.0, 0.25, 0.2501, 7.0});
+}
+
+TEST(FindRealRoots, FindsRootsAtZeroAndOne) {
+  ExpectRoots(FromRoots({-1.0, 0.0, 1.0}), {-1.0, 0.0, 1.0});
+}
+
 TEST(FindRealRoots, AcceptsVanishingLeadingCoefficients) {
   ExpectRoots({-1.0, 2.0, 0.0, 0.0}, {0.5});
 }
