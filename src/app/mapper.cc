@@ -17,8 +17,14 @@ Mapper::Mapper(const MapOptions& options, FrameStore* store, Executor* executor,
                ResultTiming timing)
     : options_(options),
       keeper_(options, store, executor, timing, times),
-      context_{options, store, keeper_.LendSessions(), executor,
-               timing,  times, UpdateOdometryDelay} {
+      context_{options,
+               store,
+               keeper_.LendSessions(),
+               executor,
+               timing,
+               times,
+               UpdateOdometryDelay,
+               [this](SessionId id) { return keeper_.IsLinked(id); }} {
   std::string error;
   ROVIO_CHECK(IsValid(options, &error), error);
 }
@@ -159,7 +165,7 @@ void Mapper::Finish() {
   FinishDrives();
   for (const SessionId id : std::exchange(rejoined_, {})) {
     Session* session = keeper_.LendSessions()->Lend(id);
-    AdjustFinally(options_, session);
+    if (!keeper_.IsLinked(id)) AdjustFinally(options_, session);
     RefineLightFrames(options_, session);
   }
   AdjustMaps(std::nullopt);

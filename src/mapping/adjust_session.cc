@@ -16,27 +16,11 @@ constexpr size_t kMaxFixedFrames = 30;  // of a local adjustment
 constexpr size_t kMinGlobalFrames = 6;  // smaller maps are covered by local adjustments
 constexpr int kFinalRounds = 5;
 constexpr double kLocalTolerance = 1e-4;  // the next frame's adjustment goes on where this one ends
-constexpr double kSettledShare = 0.0005;  // of the observations that changed in a round
+constexpr double kSettledShare = 0.0005;
 
 BundleOptions LocalBundleOptions(const MapperOptions& options) {
   return {options.adjust.running_max_iterations, options.adjust.loss_px / options.pixel_sigma_px,
           kLocalTolerance};
-}
-
-size_t NumObservations(const Session& session) {
-  size_t count = 0;
-  for (const auto& [id, landmark] : session.landmarks()) count += landmark.observations.size();
-  return count;
-}
-
-uint32_t CompleteAll(const MapperOptions& options, Session* session) {
-  const LandmarkLimits triangulate = TriangulationLimits(options);
-  uint32_t num_changed = 0;
-  for (const auto& [index, frame] : session->keyframes()) {
-    const TriangulateReport report = TriangulateTracks(index, triangulate, session);
-    num_changed += 2 * report.num_created + report.num_completed;
-  }
-  return num_changed;
 }
 
 // Of a whole session. False: nothing was changed.
@@ -44,14 +28,6 @@ bool Adjust(const BundleOptions& bundle_options, const AdjustOptions& options,
             SessionBundle* bundle) {
   const auto max_frames = static_cast<size_t>(options.max_global_frames);
   return AdjustByWindow(&bundle->problem, bundle_options, max_frames).usable;
-}
-
-LandmarkLimits FinalPrune(const MapperOptions& options, const Session& session) {
-  LandmarkLimits prune = PruningLimits(options);
-  const double spread = ResidualSpread(session);
-  prune.max_error_sigmas =
-      std::min(prune.max_error_sigmas, options.prune.final_error_sigmas * std::sqrt(2.0) * spread);
-  return prune;
 }
 
 }  // namespace
@@ -66,23 +42,42 @@ PruneReport AdjustLocally(uint32_t frame, const MapperOptions& options, Session*
   return PruneLandmarks(bundle.tracks, PruningLimits(options), session);
 }
 
+void CompleteAllTracks(const MapperOptions& options, Session* session) {
+  const LandmarkLimits limits = TriangulationLimits(options);
+  for (const auto& [index, frame] : session->keyframes()) TriangulateTracks(index, limits, session);
+}
+
+bool HasSettled(size_t num_before, size_t num_now) {
+  const double before = static_cast<double>(num_before), now = static_cast<double>(num_now);
+  return std::abs(now - before) <= kSettledShare * now;
+}
+
+PruneReport PruneFinally(const MapperOptions& options, Session* session) {
+  LandmarkLimits limits = PruningLimits(options);
+  const double spread = ResidualSpread(*session);
+  limits.max_error_sigmas =
+      std::min(limits.max_error_sigmas, options.prune.final_error_sigmas * std::sqrt(2.0) * spread);
+  return PruneAllLandmarks(limits, session);
+}
+
 PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
   const int max_iterations = options.adjust.final_max_iterations;
   const double loss_sigmas = options.adjust.loss_px / options.pixel_sigma_px;
   PruneReport total;
+  size_t num_observations = 0;
   for (int round = 0; round < kFinalRounds; ++round) {
-    uint32_t num_changed = CompleteAll(options, session);
+    CompleteAllTracks(options, session);
     SessionBundle bundle = MakeGlobalBundle(*session);
     if (!Adjust({max_iterations, loss_sigmas}, options.adjust, &bundle)) {
       return total;
     }
     ApplyBundle(bundle, true, session);
-    const PruneReport pruned = PruneAllLandmarks(FinalPrune(options, *session), session);
+    const PruneReport pruned = PruneFinally(options, session);
     total.num_observations += pruned.num_observations;
     total.num_landmarks += pruned.num_landmarks;
     total.num_frames += pruned.num_frames;
-    num_changed += pruned.num_observations;
-    if (num_changed < kSettledShare * static_cast<double>(NumObservations(*session))) break;
+    const size_t count = bundle.problem.observations.size();
+    if (HasSettled(std::exchange(num_observations, count), count)) break;
   }
   SessionBundle bundle = MakeGlobalBundle(*session);
   if (Adjust({max_iterations, 0.0}, options.adjust, &bundle)) {

@@ -291,7 +291,7 @@ void DriveMapper::CloseSession(SessionState state) {
   const auto scope = MeasureStage(context_.times, "adjust_finally");
   global_.Abandon();
   if (current().state() == SessionState::kMapping) {
-    AdjustFinally(context_.options, &current());
+    if (!IsLinked()) AdjustFinally(context_.options, &current());
     RefineLightFrames(context_.options, &current());
     PoseWaitingLightFrames();
     UpdateScale(context_.options.scale, true, &current());

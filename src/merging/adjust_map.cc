@@ -5,14 +5,14 @@
 #include <map>
 #include <utility>
 
+#include "rovio_sfm/mapping/adjust_session.h"
 #include "rovio_sfm/mapping/stage_options.h"
 
 namespace rovio_sfm {
 namespace {
 
-constexpr int kFinalRounds = 3;
-constexpr double kSettledShare = 0.0005;  // of the observations that went in a round
-constexpr double kLooseFactor = 3.0;      // links may be that much worse before the adjustment
+constexpr int kFinalRounds = 5;
+constexpr double kLooseFactor = 3.0;  // links may be that much worse before the adjustment
 
 double PixelsPerSigma(const PlacedSession& placed, const FeatureRef& feature) {
   return placed.session->keyframe(feature.frame).sigmas[feature.feature] *
@@ -72,14 +72,6 @@ uint32_t DropBadLinks(const std::vector<PlacedSession>& sessions, double max_err
   const auto num_dropped = static_cast<uint32_t>(links->end() - bad);
   links->erase(bad, links->end());
   return num_dropped;
-}
-
-uint32_t PruneSessions(const std::vector<PlacedSession>& sessions, const MapperOptions& options) {
-  uint32_t num_removed = 0;
-  for (const PlacedSession& placed : sessions) {
-    num_removed += PruneAllLandmarks(PruningLimits(options), placed.session).num_observations;
-  }
-  return num_removed;
 }
 
 double MaxErrorSigmas(const MapperOptions& options) {
@@ -148,8 +140,12 @@ MapAdjustmentReport AdjustMapFinally(const std::vector<PlacedSession>& sessions,
   const auto max_frames = static_cast<size_t>(options.adjust.max_global_frames);
   MapAdjustmentReport report;
   report.before = MeasureLinks(sessions, *links);
+  size_t num_observations = 0;
   for (int round = 0; round <= kFinalRounds; ++round) {
     const bool is_last = round == kFinalRounds;
+    for (const PlacedSession& placed : sessions) {
+      if (!is_last) CompleteAllTracks(options, placed.session);
+    }
     const double link_error = round == 0 ? kLooseFactor * max_error_sigmas : max_error_sigmas;
     MapBundle bundle(sessions, *links, link_error);
     const BundleOptions solve{options.adjust.final_max_iterations,
@@ -159,12 +155,10 @@ MapAdjustmentReport AdjustMapFinally(const std::vector<PlacedSession>& sessions,
     report.usable = true;
     report.shared = bundle.FindShared();
     if (is_last) break;
-    const uint32_t num_bad_links = DropBadLinks(sessions, max_error_sigmas, links);
-    report.num_dropped_links += num_bad_links;
-    const uint32_t num_gone = num_bad_links + PruneSessions(sessions, options);
-    if (num_gone <= kSettledShare * static_cast<double>(bundle.num_observations())) {
-      round = kFinalRounds - 1;
-    }
+    report.num_dropped_links += DropBadLinks(sessions, max_error_sigmas, links);
+    for (const PlacedSession& placed : sessions) PruneFinally(options, placed.session);
+    const size_t count = bundle.num_observations();
+    if (HasSettled(std::exchange(num_observations, count), count)) round = kFinalRounds - 1;
   }
   report.after = MeasureLinks(sessions, *links);
   return report;
@@ -189,7 +183,9 @@ MapAdjustmentReport MapAdjustment::Apply(const MapperOptions& options,
     report.usable = true;
     report.shared = bundle->FindShared();
     report.num_dropped_links = DropBadLinks(sessions_, MaxErrorSigmas(options), links);
-    PruneSessions(sessions_, options);
+    for (const PlacedSession& placed : sessions_) {
+      PruneAllLandmarks(PruningLimits(options), placed.session);
+    }
   }
   report.after = MeasureLinks(sessions_, *links);
   return report;

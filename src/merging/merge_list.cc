@@ -103,6 +103,13 @@ std::vector<FeatureLink> MergeList::LinksOf(MapId map, const MergeEdit* except) 
   return {links.begin(), links.end()};
 }
 
+bool MergeList::HasLinks(MapId map) const {
+  return std::any_of(edits_.begin(), edits_.end(), [&](const MergeEdit& edit) {
+    return edit.IsAccepted() && edit.links.size() > 0 &&
+           PlaceOf(edit.report.query_session).map == map;
+  });
+}
+
 void MergeList::KeepLinks(MapId map, const std::vector<FeatureLink>& kept) {
   for (MergeEdit& edit : edits_) {
     if (!edit.IsAccepted() || !(PlaceOf(edit.report.query_session).map == map)) continue;

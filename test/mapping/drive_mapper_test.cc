@@ -64,6 +64,23 @@ TEST(DriveMapper, RecoversAnExactDrive) {
   EXPECT_GT(run.mapper.counters().global_adjustments, 0u);
 }
 
+// Alone it would be pulled off what it is linked with.
+TEST(DriveMapper, LeavesALinkedSessionToTheAdjustmentOfItsMap) {
+  SyntheticDriveOptions options;
+  options.world.noise_px = 1.0;
+  DriveRun run(options);
+  MapperContext context = run.Context({});
+  context.is_linked = [](SessionId) { return true; };
+  DriveMapper mapper(context, run.drive.events[0].id.drive, run.drive.world.camera);
+  for (const FrameEvent& event : run.drive.events) mapper.Add(event);
+  const auto before = run.table.FindNewest(run.drive.events[0].id.drive)->keyframes();
+  mapper.Finish();
+  for (const auto& [index, frame] :
+       run.table.FindNewest(run.drive.events[0].id.drive)->keyframes()) {
+    EXPECT_EQ(PoseDistance(frame.cam_from_session, before.at(index).cam_from_session), 0.0);
+  }
+}
+
 TEST(DriveMapper, StaysNearTheTruthWithNoiseAndCutTracks) {
   SyntheticDriveOptions options;
   options.world.noise_px = 1.0;

@@ -68,6 +68,20 @@ TEST(AdjustMap, PullsAMisplacedSessionIntoItsPlace) {
   EXPECT_LT(pair.ErrorOfB(), 1e-3);
 }
 
+// As the final adjustment of a session alone does.
+TEST(AdjustMap, CompletesTheTracksOfItsSessions) {
+  MergedPair pair;
+  const size_t num_landmarks = pair.b.landmarks().size();
+  std::vector<TrackId> every_third;
+  for (const auto& [id, landmark] : pair.b.landmarks()) {
+    if (id % 3 == 0) every_third.push_back(id);
+  }
+  for (const TrackId id : every_third) pair.b.RemoveLandmark(id);
+  AdjustMapFinally(pair.placed, {}, &pair.links);
+  EXPECT_EQ(pair.b.landmarks().size(), num_landmarks);
+  EXPECT_EQ(CheckInvariants(pair.b), "");
+}
+
 TEST(AdjustMap, KeepsTheErrorBoundedWithNoise) {
   MergedPair pair(0.7);
   AdjustMapFinally(pair.placed, {}, &pair.links);

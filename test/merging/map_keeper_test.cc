@@ -213,6 +213,16 @@ TEST(MapKeeper, AMergeOvertakesTheAdjustmentThatRuns) {
   ASSERT_TRUE(reports[1].error_after_px);
 }
 
+TEST(MapKeeper, KnowsWhichSessionsAreLinked) {
+  ThreeSessions three;
+  three.keeper.Add(TrueOverlap(three.two, 8, 8));
+  EXPECT_TRUE(three.keeper.IsLinked(three.a.id()));
+  EXPECT_TRUE(three.keeper.IsLinked(three.b.id()));
+  EXPECT_FALSE(three.keeper.IsLinked(three.c.id()));
+  three.keeper.Unmerge(three.a.id());
+  EXPECT_FALSE(three.keeper.IsLinked(three.b.id()));
+}
+
 // What would have to be judged in full while the map is adjusted may fit it afterwards.
 TEST(MapKeeper, AnOverlapThatGapesWaitsForTheAdjustmentOfItsMap) {
   Sessions sessions(MakeTwoDrives(TwoDrivesOptions(0.7)));

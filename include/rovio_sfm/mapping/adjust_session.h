@@ -16,6 +16,14 @@ namespace rovio_sfm {
 // and prunes those landmarks (§3.8.2, local scope). Returns what was pruned.
 PruneReport AdjustLocally(uint32_t frame, const MapperOptions& options, Session* session);
 
+// What a round of a final adjustment does beside solving: first it makes landmarks of tracks and
+// completes them, then it takes away what does not fit.
+void CompleteAllTracks(const MapperOptions& options, Session* session);
+PruneReport PruneFinally(const MapperOptions& options, Session* session);
+// Whether another round is not worth it, by the observations of this one and the one before: some
+// are completed and pruned in every round.
+bool HasSettled(size_t num_before, size_t num_now);
+
 // Adjusts everything, prunes, and completes tracks until little changes: the end of a session. The
 // last pass minimises the squared error of what is left.
 PruneReport AdjustFinally(const MapperOptions& options, Session* session);

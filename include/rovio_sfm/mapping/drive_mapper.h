@@ -32,6 +32,8 @@ struct MapperContext {
   ResultTiming timing = ResultTiming::kFixed;
   StageTimes* times = nullptr;                      // may be null
   std::function<void(Session*)> on_session_closed;  // once it is adjusted finally
+  // Whether links join a session's map, which then is adjusted as one; null: none does.
+  std::function<bool(SessionId)> is_linked = nullptr;
 };
 
 // Maps one drive: its sessions, one after the other. Thread-compatible.
@@ -66,6 +68,7 @@ class DriveMapper {
   };
 
   Session& current() { return *current_; }
+  bool IsLinked() const { return context_.is_linked && context_.is_linked(current_->id()); }
   void Settle();
 
   std::optional<std::string> RefusalOf(const FrameEvent& event);

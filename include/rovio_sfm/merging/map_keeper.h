@@ -53,6 +53,8 @@ class MapKeeper {
   // Counts a keyframe, and applies the results of adjustments that are due.
   void CountKeyframe();
   bool ApplyDueResults();  // false: none was
+  // Whether links join the map of a session, of several sessions or of laps of one.
+  bool IsLinked(SessionId id) const { return list_.HasLinks(list_.PlaceOf(id).map); }
   // The final adjustment of the map of a session, if links join it; of all maps. Waits for it.
   void AdjustFinally(SessionId of) { AdjustMapOf(list_.PlaceOf(of).map); }
   void AdjustAllFinally();

@@ -53,6 +53,7 @@ class MergeList {
   std::vector<PlacedSession> SessionsOf(MapId map, SessionTable* sessions) const;
   // The accepted links of a map, sorted; those of one edit may be left out.
   std::vector<FeatureLink> LinksOf(MapId map, const MergeEdit* except = nullptr) const;
+  bool HasLinks(MapId map) const;
   // Forgets the links of a map that are not among those kept (sorted).
   void KeepLinks(MapId map, const std::vector<FeatureLink>& kept);
   // True where a place match that was judged holds these two frames, whichever was its query.
