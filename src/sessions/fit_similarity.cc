@@ -214,9 +214,7 @@ std::optional<Sim3> FitSimilarity(const std::vector<CrossMatch>& matches,
   solver.num_threads = 1;
   solver.max_num_iterations = options.max_iterations;
   solver.logging_type = ceres::SILENT;
-  ceres::Solver::Summary summary;
-  QuietCeres();
-  ceres::Solve(solver, &problem, &summary);
+  const ceres::Solver::Summary summary = SolveQuietly(solver, &problem);
   if (!summary.IsSolutionUsable()) return std::nullopt;
   return StepSim3(frame, step) * initial_b_from_a;
 }

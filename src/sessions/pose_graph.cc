@@ -126,9 +126,7 @@ ceres::Solver::Summary Solve(const Round& round, PoseGraph* graph) {
   solver.num_threads = 1;
   solver.max_num_iterations = round.max_iterations;
   solver.logging_type = ceres::SILENT;
-  ceres::Solver::Summary summary;
-  QuietCeres();
-  ceres::Solve(solver, &problem, &summary);
+  ceres::Solver::Summary summary = SolveQuietly(solver, &problem);
   if (!summary.IsSolutionUsable()) return summary;
   for (size_t i = 0; i < blocks.size(); ++i) {
     if (problem.HasParameterBlock(blocks[i].data()) &&

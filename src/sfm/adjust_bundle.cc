@@ -194,9 +194,7 @@ BundleReport AdjustBundle(BundleProblem* problem, const BundleOptions& options) 
   SetGauge(gauge, &poses, &solver);
   ceres::Solver::Options solver_options = SolverOptions(*problem, options, gauge, &give_up);
   solver_options.linear_solver_ordering = MakeOrdering(&problem->points, &poses, solver);
-  ceres::Solver::Summary summary;
-  QuietCeres();
-  ceres::Solve(solver_options, &solver, &summary);
+  const ceres::Solver::Summary summary = SolveQuietly(solver_options, &solver);
   report.iterations = static_cast<int>(summary.iterations.size());
   report.initial_cost = summary.initial_cost;
   report.final_cost = summary.final_cost;
