@@ -69,8 +69,9 @@ Coefficients ToBernstein(const Polynomial& polynomial) {
 
 int CountSignChanges(const Coefficients& b, int degree) {
   int count = 0;
-  for (size_t i = 0; i < static_cast<size_t>(degree); ++i)
+  for (size_t i = 0; i < static_cast<size_t>(degree); ++i) {
     count += (b[i] < 0.0) != (b[i + 1] < 0.0);
+  }
   return count;
 }
 

@@ -25,7 +25,7 @@ struct BootstrapOptions {
     table.AddNumber("wished_angle_deg", wished_angle_deg, 0.5, 60.0, "taken at once from here");
     table.AddRule("wished_angle_deg", wished_angle_deg >= min_angle_deg, "at least min_angle_deg");
     table.AddNumber("patience", patience, 1, 1000, "keyframes after a good pair for a wider one");
-    table.AddNumber("hurry_after", hurry_after, 2, 1000, "held frames: hurried_angle_deg will do");
+    table.AddNumber("hurry_after", hurry_after, 2, 1000, "held frames, then hurried_angle_deg");
     table.AddNumber("hurried_angle_deg", hurried_angle_deg, 0.5, 45.0, "seen driving forward");
     table.AddRule("hurried_angle_deg", hurried_angle_deg <= min_angle_deg, "at most min_angle_deg");
   }

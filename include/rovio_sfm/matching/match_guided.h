@@ -21,7 +21,7 @@ struct GuidedOptions {
     table.AddLiveNumber("band_px", band_px, 0.1, 20.0, "half width of the band");
     table.AddNumber("max_ratio", max_ratio, 0.1, 1.0, "Lowe's, among the features of the band");
     table.AddNumber("max_factor", max_factor, 0.1, 10.0, "of the known matches' mean distance");
-    table.AddNumber("min_depth_baselines", min_depth_baselines, 0.0, 100.0, "nearer: left out");
+    table.AddNumber("min_depth_baselines", min_depth_baselines, 0.0, 100.0, "nearer is not sought");
   }
 };
 

@@ -59,7 +59,7 @@ struct EvidenceOptions {
                     "and such a share of what views farther aside show");
     table.AddNumber("max_sigma_log_scale", max_sigma_log_scale, 0.001, 1.0,
                     "of the scale, where odometry does not tell both");
-    table.AddNumber("max_log_scale_gap", max_log_scale_gap, 0.001, 1.0, "of neighbours");
+    table.AddNumber("max_log_scale_gap", max_log_scale_gap, 0.001, 1.0, "of neighbouring frames");
     table.AddNumber("refuted_log_scale_gap", refuted_log_scale_gap, 0.001, 10.0, "above: refuted");
     table.AddRule("refuted_log_scale_gap", refuted_log_scale_gap >= max_log_scale_gap,
                   "at least max_log_scale_gap");

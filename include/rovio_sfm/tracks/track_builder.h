@@ -21,7 +21,7 @@ struct TrackOptions {
 
   void DescribeOptions(OptionTable& table) {
     table.AddLiveNumber("same_feature_px", same_feature_px, 0.0, 100.0, "nearer features are one");
-    table.AddNumber("remembered_frames", remembered_frames, 1, 10000, "that matches reach");
+    table.AddNumber("remembered_frames", remembered_frames, 1, 10000, "matches reach back so far");
   }
 };
 
