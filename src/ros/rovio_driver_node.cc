@@ -26,10 +26,12 @@ std::string RobotName(const ros::NodeHandle& handle) {
   return name;
 }
 
-// The handle, unless another driver publishes there already.
-ros::NodeHandle WithoutRival(const ros::NodeHandle& handle) {
+// Claims the robot, unless another driver did before.
+ros::Publisher AdvertiseAlone(ros::NodeHandle handle) {
+  ros::Publisher status =
+      handle.advertise<RovioStatus>(topics::kStatus, topics::kStatusQueue, true);
   RequireSolePublisher(handle, {topics::kStatus, topics::kOdom, topics::kImageCompressed});
-  return handle;
+  return status;
 }
 
 template <typename T>
@@ -73,8 +75,8 @@ void FillMcu(const McuReport& mcu, RovioStatus* status) {
 RovioDriverNode::RovioDriverNode(const ros::NodeHandle& handle,
                                  const ros::NodeHandle& private_handle,
                                  const DriverOptions& options, const Credentials& credentials)
-    : handle_(WithoutRival(handle)),
-      status_(handle_.advertise<RovioStatus>(topics::kStatus, topics::kStatusQueue, true)),
+    : handle_(handle),
+      status_(AdvertiseAlone(handle)),
       images_(handle, options, credentials),
       motion_(handle, options, credentials,
               {[this](bool is_moving, int64_t now_ns) { images_.NoteMotion(is_moving, now_ns); },

@@ -40,7 +40,8 @@ void RequireSolePublisher(const ros::NodeHandle& handle, const std::vector<std::
     if (std::find(names.begin(), names.end(), topic) == names.end()) continue;
     for (int k = 0; k < publishers[i][1].size(); ++k) {
       const std::string node = publishers[i][1][k];
-      if (node == ros::this_node::getName() || !IsAlive(node)) continue;
+      if (node == ros::this_node::getName()) break;  // the master lists them as they came
+      if (!IsAlive(node)) continue;
       throw std::runtime_error(topic + " is published by " + node +
                                ": a robot has one driver; end the other or use another namespace");
     }

@@ -84,15 +84,33 @@ class OddRobotTest(unittest.TestCase):
         self.assertTrue(self.diagnostics.grows_by(5, 20))
         self.assertLess(time.monotonic() - begin, 7.5)
 
+    def begin(self, name):
+        return subprocess.Popen([program("rovio_driver"), "__ns:=/r3", "__name:=" + name,
+                                 "_host:=127.0.0.1", "_port:=%d" % self.robot.port],
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
     def test_a_second_driver_says_so_and_does_not_drive(self):
         self.start()
         self.assertTrue(self.images.grows_by(1, 30), "no images")
-        done = subprocess.run([program("rovio_driver"), "__ns:=/r3", "__name:=second",
-                               "_host:=127.0.0.1", "_port:=%d" % self.robot.port],
-                              capture_output=True, text=True, timeout=60, check=False)
-        self.assertNotEqual(done.returncode, 0)
-        self.assertIn("/r3/rovio_driver", done.stdout + done.stderr)
+        second = self.begin("second")
+        said, _ = second.communicate(timeout=60)
+        self.assertNotEqual(second.returncode, 0)
+        self.assertIn("/r3/rovio_driver", said)
         self.assertTrue(self.images.grows_by(3, 20))
+
+    def test_of_two_drivers_that_start_at_once_one_stays(self):
+        both = [self.begin(name) for name in ("left", "right")]
+        self.assertTrue(wait_until(lambda: any(driver.poll() is not None for driver in both), 60))
+        loser = next(driver for driver in both if driver.poll() is not None)
+        winner = next(driver for driver in both if driver is not loser)
+        try:
+            said, _ = loser.communicate(timeout=60)
+            self.assertNotEqual(loser.returncode, 0)
+            self.assertRegex(said, "published by /r3/(left|right)")
+            self.assertTrue(self.images.grows_by(3, 30), "the other went too")
+        finally:
+            winner.send_signal(signal.SIGINT)
+            winner.communicate(timeout=30)
 
     def test_a_command_that_waited_while_the_driver_slept_is_too_old(self):
         self.start()
