@@ -156,19 +156,28 @@ void PrintCosts(const char* how, const FrameCosts& costs) {
               Percentile(costs.cpu_ms, 50), Percentile(costs.cpu_ms, 95));
 }
 
-// The map of all drives, first while nothing is solved, then while it is adjusted.
-void PrintFramesBeside(const ManyDrives& drives) {
+// Makes one map of all sessions, which is adjusted from when all are in it.
+void JoinAll(const ManyDrives& drives, Executor* executor, MapKeeper* keeper) {
   std::promise<void> gate;
-  Executor of_map{1}, of_drive{1};
-  of_map.Submit([](const std::shared_future<void>& opened) { opened.wait(); },
-                gate.get_future().share());
-  MapKeeper keeper({}, &drives.store, &of_map, ResultTiming::kWhenReady);
-  for (uint32_t k = 0; k < drives.num_drives; ++k) {
-    keeper.LendSessions()->Adopt(drives.Map(k));
-    if (k > 0) keeper.Add(drives.Overlap(k - 1, k, drives.num_keyframes / 2));
+  executor->Submit([](const std::shared_future<void>& opened) { opened.wait(); },
+                   gate.get_future().share());
+  for (uint32_t k = 1; k < drives.num_drives; ++k) {
+    keeper->Add(drives.Overlap(k - 1, k, drives.num_keyframes / 2));
   }
-  PrintCosts("without", MapBeside(drives, &keeper, &of_drive, [] {}));
-  PrintCosts("beside", MapBeside(drives, &keeper, &of_drive, [&] { gate.set_value(); }));
+  gate.set_value();
+}
+
+// Beside the sessions of all drives, first apart, then joined to a map that is adjusted. One
+// executor solves for the map and for the drive, as in the mapping node.
+void PrintFramesBeside(const ManyDrives& drives) {
+  for (const bool are_joined : {false, true}) {
+    Executor executor{1};
+    MapKeeper keeper({}, &drives.store, &executor, ResultTiming::kWhenReady);
+    for (uint32_t k = 0; k < drives.num_drives; ++k) keeper.LendSessions()->Adopt(drives.Map(k));
+    PrintCosts(are_joined ? "beside" : "without", MapBeside(drives, &keeper, &executor, [&] {
+                 if (are_joined) JoinAll(drives, &executor, &keeper);
+               }));
+  }
 }
 
 // What sessions keep so that merges can be undone.
