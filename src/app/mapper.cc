@@ -4,6 +4,7 @@
 
 #include "rovio_sfm/mapping/grow_map.h"
 #include "rovio_sfm/mapping/make_keyframe.h"
+#include "rovio_sfm/mapping/update_scale.h"
 #include "rovio_sfm/merging/match_across_break.h"
 #include "rovio_sfm/merging/share_scales.h"
 #include "rovio_sfm/report/collect_model.h"
@@ -172,8 +173,7 @@ void Mapper::Finish() {
   keeper_.GiveUpWaiting();
 }
 
-// A session's own final adjustment knows nothing of the others: the maps they share are adjusted
-// once more, together.
+// The maps that links join are adjusted as one, and what hangs on their frames follows.
 void Mapper::AdjustMaps(std::optional<SessionId> of) {
   const auto scope = MeasureStage(context_.times, "merge");
   std::map<SessionId, uint64_t> revisions;
@@ -182,7 +182,9 @@ void Mapper::AdjustMaps(std::optional<SessionId> of) {
   of ? keeper_.AdjustFinally(*of) : keeper_.AdjustAllFinally();
   for (const auto& [id, revision] : revisions) {
     Session* session = keeper_.LendSessions()->Lend(id);
-    if (session->revision() != revision) RefineLightFrames(options_, session);
+    if (session->revision() == revision) continue;
+    RefineLightFrames(options_, session);
+    if (session->state() != SessionState::kMapping) UpdateScale(options_.scale, true, session);
   }
 }
 

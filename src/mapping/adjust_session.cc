@@ -16,7 +16,8 @@ constexpr size_t kMaxFixedFrames = 30;  // of a local adjustment
 constexpr size_t kMinGlobalFrames = 6;  // smaller maps are covered by local adjustments
 constexpr int kFinalRounds = 5;
 constexpr double kLocalTolerance = 1e-4;  // the next frame's adjustment goes on where this one ends
-constexpr double kSettledShare = 0.0005;
+constexpr double kFinalTolerance = 1e-8;
+constexpr double kSettledShare = 0.0005;  // of the observations, more or fewer than a round ago
 
 BundleOptions LocalBundleOptions(const MapperOptions& options) {
   return {options.adjust.running_max_iterations, options.adjust.loss_px / options.pixel_sigma_px,
@@ -60,17 +61,18 @@ PruneReport PruneFinally(const MapperOptions& options, Session* session) {
   return PruneAllLandmarks(limits, session);
 }
 
+BundleOptions FinalBundleOptions(const MapperOptions& options, bool is_last) {
+  if (is_last) return {options.adjust.final_max_iterations, 0.0, kFinalTolerance};
+  return {options.adjust.final_max_iterations, options.adjust.loss_px / options.pixel_sigma_px};
+}
+
 PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
-  const int max_iterations = options.adjust.final_max_iterations;
-  const double loss_sigmas = options.adjust.loss_px / options.pixel_sigma_px;
   PruneReport total;
   size_t num_observations = 0;
   for (int round = 0; round < kFinalRounds; ++round) {
     CompleteAllTracks(options, session);
     SessionBundle bundle = MakeGlobalBundle(*session);
-    if (!Adjust({max_iterations, loss_sigmas}, options.adjust, &bundle)) {
-      return total;
-    }
+    if (!Adjust(FinalBundleOptions(options, false), options.adjust, &bundle)) return total;
     ApplyBundle(bundle, true, session);
     const PruneReport pruned = PruneFinally(options, session);
     total.num_observations += pruned.num_observations;
@@ -80,7 +82,7 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
     if (HasSettled(std::exchange(num_observations, count), count)) break;
   }
   SessionBundle bundle = MakeGlobalBundle(*session);
-  if (Adjust({max_iterations, 0.0}, options.adjust, &bundle)) {
+  if (Adjust(FinalBundleOptions(options, true), options.adjust, &bundle)) {
     ApplyBundle(bundle, true, session);
   }
   return total;

@@ -188,6 +188,8 @@ void DriveMapper::InsertHeld(const FrameEvent& event) {
 }
 
 void DriveMapper::AddKeyframe(const FrameEvent& event, MapperReport* report) {
+  const bool is_linked = IsLinked();
+  if (is_linked) global_.Abandon();
   if (global_.Advance(&current(), context_.times)) ++counters_.global_adjustments;
   LinkTracks(context_.options.f2, &pending_links_, &current());
   const auto registration = Resect(event, report);
@@ -199,7 +201,7 @@ void DriveMapper::AddKeyframe(const FrameEvent& event, MapperReport* report) {
   RetryWeakFrames(context_.options.max_weak_tries);
   last_pose_ = current().keyframe(event.id.index).cam_from_session;
   UpdateScale(context_.options.scale, false, &current());
-  global_.MaybeStart(current());
+  if (!is_linked) global_.MaybeStart(current());
 }
 
 std::optional<Registration> DriveMapper::Resect(const FrameEvent& event, MapperReport* report) {
@@ -291,8 +293,10 @@ void DriveMapper::CloseSession(SessionState state) {
   const auto scope = MeasureStage(context_.times, "adjust_finally");
   global_.Abandon();
   if (current().state() == SessionState::kMapping) {
-    if (!IsLinked()) AdjustFinally(context_.options, &current());
-    RefineLightFrames(context_.options, &current());
+    if (!IsLinked()) {
+      AdjustFinally(context_.options, &current());
+      RefineLightFrames(context_.options, &current());
+    }
     PoseWaitingLightFrames();
     UpdateScale(context_.options.scale, true, &current());
     context_.on_session_closed(&current());

@@ -82,12 +82,6 @@ double LossSigmas(const MapperOptions& options) {
   return options.adjust.loss_px / options.pixel_sigma_px;
 }
 
-size_t NumFrames(const std::vector<PlacedSession>& sessions) {
-  size_t count = 0;
-  for (const PlacedSession& placed : sessions) count += placed.session->keyframes().size();
-  return count;
-}
-
 // One round, as the map is adjusted again when its sessions end.
 DelayedResult<std::unique_ptr<MapBundle>> SolveBeside(const std::vector<PlacedSession>& sessions,
                                                       const std::vector<FeatureLink>& links,
@@ -108,6 +102,12 @@ DelayedResult<std::unique_ptr<MapBundle>> SolveBeside(const std::vector<PlacedSe
 }
 
 }  // namespace
+
+size_t NumFrames(const std::vector<PlacedSession>& sessions) {
+  size_t count = 0;
+  for (const PlacedSession& placed : sessions) count += placed.session->keyframes().size();
+  return count;
+}
 
 LinkStatistics MeasureLinks(const std::vector<PlacedSession>& sessions,
                             const std::vector<FeatureLink>& links) {
@@ -148,9 +148,7 @@ MapAdjustmentReport AdjustMapFinally(const std::vector<PlacedSession>& sessions,
     }
     const double link_error = round == 0 ? kLooseFactor * max_error_sigmas : max_error_sigmas;
     MapBundle bundle(sessions, *links, link_error);
-    const BundleOptions solve{options.adjust.final_max_iterations,
-                              is_last ? 0.0 : LossSigmas(options)};
-    if (!bundle.Solve(solve, max_frames).usable) break;
+    if (!bundle.Solve(FinalBundleOptions(options, is_last), max_frames).usable) break;
     bundle.Apply();
     report.usable = true;
     report.shared = bundle.FindShared();
@@ -182,7 +180,8 @@ MapAdjustmentReport MapAdjustment::Apply(const MapperOptions& options,
     bundle->Apply();
     report.usable = true;
     report.shared = bundle->FindShared();
-    report.num_dropped_links = DropBadLinks(sessions_, MaxErrorSigmas(options), links);
+    report.num_dropped_links =
+        DropBadLinks(sessions_, kLooseFactor * MaxErrorSigmas(options), links);
     for (const PlacedSession& placed : sessions_) {
       PruneAllLandmarks(PruningLimits(options), placed.session);
     }

@@ -96,13 +96,13 @@ bool MapKeeper::TryNow(WaitingMatch* entry) {
     list_.Accept(AcceptedBy::kEvidence, &edit);
     return true;
   }
+  const bool scale_may_come = MayGetScale(*query) || MayGetScale(other);
+  if (entry->needs_scale && scale_may_come) return false;
   if (running_.count(list_.PlaceOf(query->id()).map) != 0 &&
       list_.AreInOneMap(query->id(), other.id())) {
     entry->reason = "its map is being adjusted";  // then it may fit
     return false;
   }
-  const bool scale_may_come = MayGetScale(*query) || MayGetScale(other);
-  if (entry->needs_scale && scale_may_come) return false;
   OverlapTrial trial = TryOverlap(other, *query, match.query, of_other, options_, *store_);
   entry->needs_scale = trial.needs_scale && scale_may_come;
   entry->reason = trial.report.reason;
@@ -199,14 +199,27 @@ void MapKeeper::StartAdjusting(MapId map, const MergeEdit& edit) {
   const auto scope = MeasureStage(times_, "adjust_map");
   const std::vector<FeatureLink> links = list_.LinksOf(map);
   if (links.empty()) return;
-  running_.emplace(map, Running{MapAdjustment(list_.SessionsOf(map, &sessions_), links, options_,
-                                              executor_, timing_),
-                                edit.report.id});
+  const std::vector<PlacedSession> placed = list_.SessionsOf(map, &sessions_);
+  num_frames_at_last_[map] = NumFrames(placed);
+  running_.emplace(
+      map, Running{MapAdjustment(placed, links, options_, executor_, timing_), edit.report.id});
+}
+
+// As often as a session that no links join is adjusted by its own drive.
+void MapKeeper::AdjustGrownMaps() {
+  const double growth = 1.0 + options_.adjust.global_growth;
+  for (const MapId map : list_.LinkedMaps(sessions_)) {
+    const size_t num_frames = NumFrames(list_.SessionsOf(map, &sessions_));
+    size_t& at_last = num_frames_at_last_.try_emplace(map, num_frames).first->second;
+    at_last = std::min(at_last, num_frames);  // sessions may have left the map
+    if (static_cast<double>(num_frames) > growth * static_cast<double>(at_last)) AdjustAgain(map);
+  }
 }
 
 void MapKeeper::CountKeyframe() {
   for (auto& [map, running] : running_) running.adjustment.CountKeyframe();
   ApplyDueResults();
+  AdjustGrownMaps();
 }
 
 bool MapKeeper::ApplyDueResults() {
@@ -242,9 +255,7 @@ void MapKeeper::AdjustMapOf(MapId map) {
 }
 
 void MapKeeper::AdjustAllFinally() {
-  std::set<MapId> maps;
-  for (const auto& [id, session] : sessions_.all()) maps.insert(list_.PlaceOf(id).map);
-  for (const MapId map : maps) AdjustMapOf(map);
+  for (const MapId map : list_.LinkedMaps(sessions_)) AdjustMapOf(map);
 }
 
 MergeReport MapKeeper::Merge(SessionId a, SessionId b, bool force) {

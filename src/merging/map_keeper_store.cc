@@ -1,6 +1,5 @@
 // Keeping all maps on disk, and taking them from there.
 
-#include <set>
 #include <utility>
 
 #include "rovio_sfm/merging/map_keeper.h"
@@ -25,17 +24,13 @@ void MapKeeper::Restore(std::vector<SessionRecord> sessions, MergeRecord merges)
     waiting_.Add({std::move(match), 0, "", false}, [](const WaitingMatch&) {});
   }
   list_.Restore(std::move(merges));
-  std::set<MapId> maps;
-  for (const auto& [id, session] : sessions_.all()) maps.insert(list_.PlaceOf(id).map);
-  for (const MapId map : maps) {
-    const std::vector<FeatureLink> links = list_.LinksOf(map);
-    if (links.empty()) continue;
+  for (const MapId map : list_.LinkedMaps(sessions_)) {
     shared_[map] = std::make_shared<const SharedLandmarks>(
-        FindSharedLandmarks(list_.SessionsOf(map, &sessions_), links, options_));
+        FindSharedLandmarks(list_.SessionsOf(map, &sessions_), list_.LinksOf(map), options_));
   }
   for (const MergeEdit& edit : list_.edits()) {
     const bool was_running = edit.IsMerge() && !edit.report.error_after_px;
-    if (was_running) RestartAdjustment(list_.PlaceOf(edit.report.query_session).map);
+    if (was_running) AdjustAgain(list_.PlaceOf(edit.report.query_session).map);
   }
 }
 

@@ -34,16 +34,15 @@ std::vector<MergeReport> MapKeeper::Unmerge(SessionId id) {
   list_.Place();
   for (const auto& [session, mark] : plan.marks) list_.RaiseRevision(list_.PlaceOf(session).map);
   for (MergeEdit* edit : plan.repeated) Repeat(edit);
-  for (const SessionId session : of_them) RestartAdjustment(list_.PlaceOf(session).map);
+  for (const SessionId session : of_them) AdjustAgain(list_.PlaceOf(session).map);
   return reports;
 }
 
-// What was thrown away with the state that it knew begins again.
-void MapKeeper::RestartAdjustment(MapId map) {
+// In the name of the newest edit, unless it is being adjusted.
+void MapKeeper::AdjustAgain(MapId map) {
   if (running_.count(map) != 0) return;
   for (auto edit = list_.edits().rbegin(); edit != list_.edits().rend(); ++edit) {
-    const bool is_of_map = list_.PlaceOf(edit->report.query_session).map == map;
-    if (edit->IsAccepted() && is_of_map) return StartAdjusting(map, *edit);
+    if (list_.IsAcceptedIn(map, *edit)) return StartAdjusting(map, *edit);
   }
 }
 

@@ -95,8 +95,7 @@ std::vector<PlacedSession> MergeList::SessionsOf(MapId map, SessionTable* sessio
 std::vector<FeatureLink> MergeList::LinksOf(MapId map, const MergeEdit* except) const {
   std::set<FeatureLink> links;
   for (const MergeEdit& edit : edits_) {
-    if (!edit.IsAccepted() || &edit == except) continue;
-    if (!(PlaceOf(edit.report.query_session).map == map)) continue;
+    if (&edit == except || !IsAcceptedIn(map, edit)) continue;
     const std::vector<FeatureLink> of_edit = edit.links.List();
     links.insert(of_edit.begin(), of_edit.end());
   }
@@ -105,14 +104,25 @@ std::vector<FeatureLink> MergeList::LinksOf(MapId map, const MergeEdit* except) 
 
 bool MergeList::HasLinks(MapId map) const {
   return std::any_of(edits_.begin(), edits_.end(), [&](const MergeEdit& edit) {
-    return edit.IsAccepted() && edit.links.size() > 0 &&
-           PlaceOf(edit.report.query_session).map == map;
+    return edit.links.size() > 0 && IsAcceptedIn(map, edit);
   });
+}
+
+std::set<MapId> MergeList::LinkedMaps(const SessionTable& sessions) const {
+  std::set<MapId> maps;
+  for (const auto& [id, session] : sessions.all()) {
+    if (HasLinks(PlaceOf(id).map)) maps.insert(PlaceOf(id).map);
+  }
+  return maps;
+}
+
+bool MergeList::IsAcceptedIn(MapId map, const MergeEdit& edit) const {
+  return edit.IsAccepted() && PlaceOf(edit.report.query_session).map == map;
 }
 
 void MergeList::KeepLinks(MapId map, const std::vector<FeatureLink>& kept) {
   for (MergeEdit& edit : edits_) {
-    if (!edit.IsAccepted() || !(PlaceOf(edit.report.query_session).map == map)) continue;
+    if (!IsAcceptedIn(map, edit)) continue;
     const auto is_gone = [&](const FeatureLink& link) {
       return !std::binary_search(kept.begin(), kept.end(), link);
     };

@@ -79,6 +79,7 @@ TEST(DriveMapper, LeavesALinkedSessionToTheAdjustmentOfItsMap) {
        run.table.FindNewest(run.drive.events[0].id.drive)->keyframes()) {
     EXPECT_EQ(PoseDistance(frame.cam_from_session, before.at(index).cam_from_session), 0.0);
   }
+  EXPECT_EQ(mapper.counters().global_adjustments, 0u);
 }
 
 TEST(DriveMapper, StaysNearTheTruthWithNoiseAndCutTracks) {

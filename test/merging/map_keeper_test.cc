@@ -223,6 +223,24 @@ TEST(MapKeeper, KnowsWhichSessionsAreLinked) {
   EXPECT_FALSE(three.keeper.IsLinked(three.b.id()));
 }
 
+// As its drive would adjust a session that no links join.
+TEST(MapKeeper, AdjustsALinkedMapAgainOnceItHasGrown) {
+  Sessions sessions(MakeTwoDrives(TwoDrivesOptions(0.7)));
+  sessions.keeper.Add(TrueOverlap(sessions.two, 8, 8));
+  sessions.PassKeyframes();
+  const Rigid3 adjusted = sessions.b.keyframe(3).cam_from_session;
+  const Rigid3 aside{adjusted.rotation, adjusted.translation + Eigen::Vector3d(0.05, 0.0, 0.0)};
+  sessions.b.SetPose(3, aside);
+  for (int i = 0; i < 2; ++i) sessions.PassKeyframes();
+  EXPECT_EQ(PoseDistance(sessions.b.keyframe(3).cam_from_session, aside), 0.0);
+  Keyframe newcomer = sessions.b.keyframe(3);
+  newcomer.weak = true;
+  std::fill(newcomer.tracks.begin(), newcomer.tracks.end(), TrackId{0});
+  for (uint32_t index = 100; index < 104; ++index) sessions.b.AddKeyframe(index, newcomer);
+  for (int i = 0; i < 2; ++i) sessions.PassKeyframes();
+  EXPECT_LT(PoseDistance(sessions.b.keyframe(3).cam_from_session, adjusted), 0.01);
+}
+
 // What would have to be judged in full while the map is adjusted may fit it afterwards.
 TEST(MapKeeper, AnOverlapThatGapesWaitsForTheAdjustmentOfItsMap) {
   Sessions sessions(MakeTwoDrives(TwoDrivesOptions(0.7)));

@@ -24,8 +24,11 @@ PruneReport PruneFinally(const MapperOptions& options, Session* session);
 // are completed and pruned in every round.
 bool HasSettled(size_t num_before, size_t num_now);
 
-// Adjusts everything, prunes, and completes tracks until little changes: the end of a session. The
-// last pass minimises the squared error of what is left.
+// How a round of a final adjustment is solved. The last one minimises the squared error of what is
+// left, until nothing changes: a map bends far for little cost.
+BundleOptions FinalBundleOptions(const MapperOptions& options, bool is_last);
+
+// Adjusts everything, prunes, and completes tracks until little changes: the end of a session.
 PruneReport AdjustFinally(const MapperOptions& options, Session* session);
 
 // Adjusts all frames and landmarks beside the main flow, on a copy, and brings the result back.

@@ -30,8 +30,9 @@ struct MapperContext {
   SessionTable* sessions = nullptr;  // lent by their keeper, for the steps that are run
   Executor* executor = nullptr;      // of the global adjustment
   ResultTiming timing = ResultTiming::kFixed;
-  StageTimes* times = nullptr;                      // may be null
-  std::function<void(Session*)> on_session_closed;  // once it is adjusted finally
+  StageTimes* times = nullptr;  // may be null
+  // Once it is adjusted finally, if it is not linked.
+  std::function<void(Session*)> on_session_closed;
   // Whether links join a session's map, which then is adjusted as one; null: none does.
   std::function<bool(SessionId)> is_linked = nullptr;
 };

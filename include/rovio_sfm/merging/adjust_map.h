@@ -21,6 +21,8 @@ struct LinkStatistics {
 LinkStatistics MeasureLinks(const std::vector<PlacedSession>& sessions,
                             const std::vector<FeatureLink>& links);
 
+size_t NumFrames(const std::vector<PlacedSession>& sessions);
+
 struct MapAdjustmentReport {
   bool usable = false;    // false: no pose was changed
   LinkStatistics before;  // final adjustments only

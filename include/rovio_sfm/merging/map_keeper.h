@@ -50,7 +50,8 @@ class MapKeeper {
   // what was undone; empty: it was alone.
   std::vector<MergeReport> Unmerge(SessionId id);
 
-  // Counts a keyframe, and applies the results of adjustments that are due.
+  // Counts a keyframe, applies the results of adjustments that are due, and begins those of linked
+  // maps that have grown.
   void CountKeyframe();
   bool ApplyDueResults();  // false: none was
   // Whether links join the map of a session, of several sessions or of laps of one.
@@ -91,7 +92,8 @@ class MapKeeper {
   void MarkSessions(MergeEdit* edit);
   void CloseLoop(MergeEdit* edit);
   void StartAdjusting(MapId map, const MergeEdit& edit);
-  void RestartAdjustment(MapId map);
+  void AdjustAgain(MapId map);
+  void AdjustGrownMaps();
   void ApplyAdjustment(MapId map);
   void TakeOver(MapId map, MapAdjustmentReport report, const std::vector<FeatureLink>& links);
   void AdjustMapOf(MapId map);
@@ -114,7 +116,8 @@ class MapKeeper {
   uint64_t num_repeated_ = 0;
   MergeList list_;
   std::map<MapId, std::shared_ptr<const SharedLandmarks>> shared_;
-  std::map<MapId, Running> running_;  // one a map
+  std::map<MapId, Running> running_;            // one a map
+  std::map<MapId, size_t> num_frames_at_last_;  // when its last adjustment began
 };
 
 }  // namespace rovio_sfm

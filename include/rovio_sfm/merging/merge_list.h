@@ -54,6 +54,8 @@ class MergeList {
   // The accepted links of a map, sorted; those of one edit may be left out.
   std::vector<FeatureLink> LinksOf(MapId map, const MergeEdit* except = nullptr) const;
   bool HasLinks(MapId map) const;
+  std::set<MapId> LinkedMaps(const SessionTable& sessions) const;
+  bool IsAcceptedIn(MapId map, const MergeEdit& edit) const;
   // Forgets the links of a map that are not among those kept (sorted).
   void KeepLinks(MapId map, const std::vector<FeatureLink>& kept);
   // True where a place match that was judged holds these two frames, whichever was its query.
