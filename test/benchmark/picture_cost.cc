@@ -18,7 +18,7 @@
 namespace rovio_sfm {
 namespace {
 
-constexpr size_t kWindow = 100;  // pictures
+constexpr int kWindow = 100, kEarly = 100, kLate = 600;  // pictures
 
 int64_t CpuNs() {
   timespec now{};
@@ -31,6 +31,31 @@ double Median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
+using Costs = std::vector<double>;  // ms, by picture
+
+void PrintLast(size_t count, const Costs& costs_ms, const std::map<std::string, Costs>& stages_ms) {
+  const auto of_last = [count](const Costs& costs) {
+    return Median({costs.end() - static_cast<ptrdiff_t>(count), costs.end()});
+  };
+  std::printf("pictures %zu to %zu: median %.0f ms;", costs_ms.size() - count + 1, costs_ms.size(),
+              of_last(costs_ms));
+  for (const auto& [stage, costs] : stages_ms) {
+    std::printf(" %s %.0f", stage.c_str(), of_last(costs));
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+// How much more a late picture of a drive costs than an early one.
+void PrintGrowth(const Costs& costs_ms) {
+  if (costs_ms.size() <= kLate) return;
+  const double early_ms =
+      Median({costs_ms.begin() + kEarly, costs_ms.begin() + kEarly + 2 * kWindow});
+  const double late_ms = Median({costs_ms.begin() + kLate, costs_ms.end()});
+  std::printf("pictures %d to %zu: %.2f times the median of %d to %d\n", kLate + 1, costs_ms.size(),
+              late_ms / early_ms, kEarly + 1, kEarly + 2 * kWindow);
+}
+
 void Measure(const std::string& folder, size_t num_pictures) {
   cv::setNumThreads(1);
   const DatasetFolder dataset = ReadDatasetFolder(folder);
@@ -39,10 +64,11 @@ void Measure(const std::string& folder, size_t num_pictures) {
   StageTimes times(CpuNs);
   OfflineMapper mapper(options, ReadPlaceModel(""), &times);
   mapper.StartDrive("folder_0");
-  std::vector<double> costs_ms;
-  std::map<std::string, std::vector<double>> stages_ms;
+  Costs costs_ms;
+  std::map<std::string, Costs> stages_ms;
   auto before = times.totals();
-  for (size_t i = 0; i < std::min(num_pictures, dataset.images.size()); ++i) {
+  num_pictures = std::min(num_pictures, dataset.images.size());
+  for (size_t i = 0; i < num_pictures; ++i) {
     ImageEvent event;
     event.stamp_ns = dataset.images[i].stamp_ns;
     event.name = dataset.images[i].name;
@@ -58,15 +84,12 @@ void Measure(const std::string& folder, size_t num_pictures) {
                                  static_cast<double>(total.total_ns - before[stage].total_ns));
     }
     before = times.totals();
-    if ((i + 1) % kWindow != 0) continue;
-    std::printf("pictures %zu to %zu: median %.0f ms;", i + 2 - kWindow, i + 1,
-                Median({costs_ms.end() - kWindow, costs_ms.end()}));
-    for (const auto& [stage, costs] : stages_ms) {
-      std::printf(" %s %.0f", stage.c_str(), Median({costs.end() - kWindow, costs.end()}));
+    const size_t num_unprinted = i % kWindow + 1;
+    if (num_unprinted == kWindow || i + 1 == num_pictures) {
+      PrintLast(num_unprinted, costs_ms, stages_ms);
     }
-    std::printf("\n");
-    std::fflush(stdout);
   }
+  PrintGrowth(costs_ms);
 }
 
 }  // namespace
