@@ -21,11 +21,17 @@ double ErrorSigmas(const Session& session, const Observation& observation,
 }
 
 bool HasParallax(const Session& session, const Landmark& landmark, double min_parallax_rad) {
-  std::vector<Eigen::Vector3d> centers;
-  for (const Observation& observation : landmark.observations) {
-    centers.push_back(OriginInA(session.keyframe(observation.frame).cam_from_session));
-  }
+  const std::vector<Observation>& views = landmark.observations;
+  const auto center_of = [&session](const Observation& view) {
+    return OriginInA(session.keyframe(view.frame).cam_from_session);
+  };
   // The first and the last view are mostly the widest apart: try the far ones first.
+  if (ParallaxAngle(center_of(views.front()), center_of(views.back()), landmark.position) >=
+      min_parallax_rad) {
+    return true;
+  }
+  std::vector<Eigen::Vector3d> centers;
+  for (const Observation& view : views) centers.push_back(center_of(view));
   for (size_t gap = centers.size() - 1; gap > 0; --gap) {
     for (size_t i = 0; i + gap < centers.size(); ++i) {
       if (ParallaxAngle(centers[i], centers[i + gap], landmark.position) >= min_parallax_rad) {

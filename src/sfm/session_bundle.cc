@@ -3,16 +3,18 @@
 #include <algorithm>
 #include <map>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace rovio_sfm {
 namespace {
 
+using CountByFrame = std::unordered_map<uint32_t, uint32_t>;
+
 // How often each other frame sees a landmark that one of `frames` sees.
-std::map<uint32_t, uint32_t> CountShared(const Session& session,
-                                         const std::vector<uint32_t>& frames) {
-  std::set<TrackId> seen;
-  std::map<uint32_t, uint32_t> shared;
+CountByFrame CountShared(const Session& session, const std::vector<uint32_t>& frames) {
+  std::unordered_set<TrackId> seen;
+  CountByFrame shared;
   for (const uint32_t frame : frames) {
     const Keyframe& keyframe = session.keyframe(frame);
     for (size_t i = 0; i < keyframe.tracks.size(); ++i) {
@@ -27,14 +29,16 @@ std::map<uint32_t, uint32_t> CountShared(const Session& session,
   return shared;
 }
 
-std::vector<uint32_t> MostShared(const std::map<uint32_t, uint32_t>& shared, size_t max_count,
+// Of equal counts the oldest frames.
+std::vector<uint32_t> MostShared(const CountByFrame& shared, size_t max_count,
                                  uint32_t min_shared) {
   std::vector<std::pair<uint32_t, uint32_t>> ranked;  // (count, frame)
   for (const auto& [frame, count] : shared) {
     if (count >= min_shared) ranked.emplace_back(count, frame);
   }
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first > b.first : a.second < b.second;
+  });
   std::vector<uint32_t> frames;
   for (size_t i = 0; i < std::min(max_count, ranked.size()); ++i) {
     frames.push_back(ranked[i].second);
