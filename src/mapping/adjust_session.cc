@@ -20,8 +20,7 @@ constexpr double kFinalTolerance = 1e-8;
 constexpr double kSettledShare = 0.0005;  // of the observations, more or fewer than a round ago
 
 BundleOptions LocalBundleOptions(const MapperOptions& options) {
-  return {options.adjust.running_max_iterations, options.adjust.loss_px / options.pixel_sigma_px,
-          kLocalTolerance};
+  return {options.adjust.running_max_iterations, LossSigmas(options), kLocalTolerance};
 }
 
 // Of a whole session. False: nothing was changed.
@@ -63,7 +62,7 @@ PruneReport PruneFinally(const MapperOptions& options, Session* session) {
 
 BundleOptions FinalBundleOptions(const MapperOptions& options, bool is_last) {
   if (is_last) return {options.adjust.final_max_iterations, 0.0, kFinalTolerance};
-  return {options.adjust.final_max_iterations, options.adjust.loss_px / options.pixel_sigma_px};
+  return {options.adjust.final_max_iterations, LossSigmas(options)};
 }
 
 PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
@@ -91,7 +90,7 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
 GlobalAdjustment::GlobalAdjustment(const MapperOptions& options, Executor* executor,
                                    ResultTiming timing)
     : options_(options.adjust),
-      loss_sigmas_(options.adjust.loss_px / options.pixel_sigma_px),
+      loss_sigmas_(LossSigmas(options)),
       executor_(executor),
       timing_(timing) {}
 

@@ -82,7 +82,7 @@ MapGrowth GrowMap(uint32_t frame, const MapperOptions& options, const FrameStore
     const auto scope = MeasureStage(times, "search");
     CompleteLandmarks(frame, triangulate.max_error_sigmas, session);
     SearchLandmarksOptions search;
-    search.max_error_sigmas = options.prune.max_error_px / options.pixel_sigma_px;
+    search.max_error_sigmas = PruningLimits(options).max_error_sigmas;
     search.f2 = options.f2;
     const SearchReport found = SearchLandmarks(frame, search, store, session);
     growth.num_found = found.num_added;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "rovio_sfm/mapping/make_keyframe.h"
+#include "rovio_sfm/mapping/stage_options.h"
 #include "rovio_sfm/sfm/resect_frame.h"
 
 namespace rovio_sfm {
@@ -10,7 +11,7 @@ namespace {
 
 ResectFrameOptions ResectOptionsOf(const MapperOptions& options) {
   return {options.resect.threshold_px / options.pixel_sigma_px, options.resect.max_iterations,
-          options.adjust.loss_px / options.pixel_sigma_px};
+          LossSigmas(options)};
 }
 
 std::optional<Registration> Accept(const std::optional<Resection>& resection, size_t num_matches,

@@ -21,4 +21,8 @@ LandmarkLimits PruningLimits(const MapperOptions& options) {
   return {MinParallaxRad(options), options.prune.max_error_px / options.pixel_sigma_px};
 }
 
+double LossSigmas(const MapperOptions& options) {
+  return options.adjust.loss_px / options.pixel_sigma_px;
+}
+
 }  // namespace rovio_sfm

@@ -75,11 +75,7 @@ uint32_t DropBadLinks(const std::vector<PlacedSession>& sessions, double max_err
 }
 
 double MaxErrorSigmas(const MapperOptions& options) {
-  return options.prune.max_error_px / options.pixel_sigma_px;
-}
-
-double LossSigmas(const MapperOptions& options) {
-  return options.adjust.loss_px / options.pixel_sigma_px;
+  return PruningLimits(options).max_error_sigmas;
 }
 
 // One round, as the map is adjusted again when its sessions end.

@@ -208,7 +208,7 @@ void MapKeeper::StartAdjusting(MapId map, const MergeEdit& edit) {
 // As often as a session that no links join is adjusted by its own drive.
 void MapKeeper::AdjustGrownMaps() {
   const double growth = 1.0 + options_.adjust.global_growth;
-  for (const MapId map : list_.LinkedMaps(sessions_)) {
+  for (const MapId map : list_.LinkedMaps()) {
     const size_t num_frames = NumFrames(list_.SessionsOf(map, &sessions_));
     size_t& at_last = num_frames_at_last_.try_emplace(map, num_frames).first->second;
     at_last = std::min(at_last, num_frames);  // sessions may have left the map
@@ -255,7 +255,7 @@ void MapKeeper::AdjustMapOf(MapId map) {
 }
 
 void MapKeeper::AdjustAllFinally() {
-  for (const MapId map : list_.LinkedMaps(sessions_)) AdjustMapOf(map);
+  for (const MapId map : list_.LinkedMaps()) AdjustMapOf(map);
 }
 
 MergeReport MapKeeper::Merge(SessionId a, SessionId b, bool force) {

@@ -24,7 +24,7 @@ void MapKeeper::Restore(std::vector<SessionRecord> sessions, MergeRecord merges)
     waiting_.Add({std::move(match), 0, "", false}, [](const WaitingMatch&) {});
   }
   list_.Restore(std::move(merges));
-  for (const MapId map : list_.LinkedMaps(sessions_)) {
+  for (const MapId map : list_.LinkedMaps()) {
     shared_[map] = std::make_shared<const SharedLandmarks>(
         FindSharedLandmarks(list_.SessionsOf(map, &sessions_), list_.LinksOf(map), options_));
   }

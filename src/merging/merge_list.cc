@@ -108,10 +108,12 @@ bool MergeList::HasLinks(MapId map) const {
   });
 }
 
-std::set<MapId> MergeList::LinkedMaps(const SessionTable& sessions) const {
+std::set<MapId> MergeList::LinkedMaps() const {
   std::set<MapId> maps;
-  for (const auto& [id, session] : sessions.all()) {
-    if (HasLinks(PlaceOf(id).map)) maps.insert(PlaceOf(id).map);
+  for (const MergeEdit& edit : edits_) {
+    if (edit.IsAccepted() && edit.links.size() > 0) {
+      maps.insert(PlaceOf(edit.report.query_session).map);
+    }
   }
   return maps;
 }

@@ -31,7 +31,7 @@ struct MapperContext {
   Executor* executor = nullptr;      // of the global adjustment
   ResultTiming timing = ResultTiming::kFixed;
   StageTimes* times = nullptr;  // may be null
-  // Once it is adjusted finally, if it is not linked.
+  // Of every session that ends; a linked one is still to be adjusted finally, with its map.
   std::function<void(Session*)> on_session_closed;
   // Whether links join a session's map, which then is adjusted as one; null: none does.
   std::function<bool(SessionId)> is_linked = nullptr;

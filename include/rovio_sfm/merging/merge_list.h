@@ -54,7 +54,7 @@ class MergeList {
   // The accepted links of a map, sorted; those of one edit may be left out.
   std::vector<FeatureLink> LinksOf(MapId map, const MergeEdit* except = nullptr) const;
   bool HasLinks(MapId map) const;
-  std::set<MapId> LinkedMaps(const SessionTable& sessions) const;
+  std::set<MapId> LinkedMaps() const;
   bool IsAcceptedIn(MapId map, const MergeEdit& edit) const;
   // Forgets the links of a map that are not among those kept (sorted).
   void KeepLinks(MapId map, const std::vector<FeatureLink>& kept);
