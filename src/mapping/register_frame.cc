@@ -1,5 +1,6 @@
 #include "rovio_sfm/mapping/register_frame.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "rovio_sfm/mapping/make_keyframe.h"
@@ -9,18 +10,43 @@
 namespace rovio_sfm {
 namespace {
 
+constexpr size_t kMinLightInliers = 8;
+
 ResectFrameOptions ResectOptionsOf(const MapperOptions& options) {
   return {options.resect.threshold_px / options.pixel_sigma_px, options.resect.max_iterations,
           LossSigmas(options)};
 }
 
 std::optional<Registration> Accept(const std::optional<Resection>& resection, size_t num_matches,
-                                   const MapperOptions& options) {
-  if (!resection || resection->inliers.size() < static_cast<size_t>(options.resect.min_inliers)) {
-    return std::nullopt;
-  }
+                                   size_t min_inliers) {
+  if (!resection || resection->inliers.size() < min_inliers) return std::nullopt;
   return Registration{resection->cam_from_map, static_cast<uint32_t>(num_matches),
                       static_cast<uint32_t>(resection->inliers.size())};
+}
+
+size_t MinInliers(const MapperOptions& options) {
+  return static_cast<size_t>(options.resect.min_inliers);
+}
+
+// No landmark hangs on a light frame: fewer pose it, where they are half of what it shows.
+size_t MinLightInliers(size_t num_observations, const MapperOptions& options) {
+  return std::max(kMinLightInliers, std::min(MinInliers(options), (num_observations + 1) / 2));
+}
+
+std::optional<Registration> Register(const std::vector<PoseObservation>& observations,
+                                     uint64_t stream, size_t min_inliers,
+                                     const MapperOptions& options) {
+  Rng rng = Rng(options.seed).Fork(stream);
+  return Accept(ResectFrame(observations, ResectOptionsOf(options), rng), observations.size(),
+                min_inliers);
+}
+
+std::optional<Registration> RegisterNear(const std::vector<PoseObservation>& observations,
+                                         const Rigid3& predicted_cam_from_map, size_t min_inliers,
+                                         const MapperOptions& options) {
+  return Accept(
+      ResectFromPrediction(observations, predicted_cam_from_map, ResectOptionsOf(options)),
+      observations.size(), min_inliers);
 }
 
 std::vector<PoseObservation> ObservationsOf(const LightFrame& frame, const MapperOptions& options,
@@ -38,9 +64,7 @@ std::vector<PoseObservation> ObservationsOf(const LightFrame& frame, const Mappe
 
 std::optional<Registration> RegisterObservations(const std::vector<PoseObservation>& observations,
                                                  uint64_t stream, const MapperOptions& options) {
-  Rng rng = Rng(options.seed).Fork(stream);
-  return Accept(ResectFrame(observations, ResectOptionsOf(options), rng), observations.size(),
-                options);
+  return Register(observations, stream, MinInliers(options), options);
 }
 
 std::optional<Registration> RegisterKeyframe(const FrameEvent& event, const MapperOptions& options,
@@ -77,13 +101,12 @@ bool PoseLightFrame(uint32_t index, const std::optional<Rigid3>& predicted_cam_f
   }
   if (reference == session.keyframes().end() || reference->second.weak) return false;
   const std::vector<PoseObservation> observations = ObservationsOf(*frame, options, session);
+  const size_t min_inliers = MinLightInliers(observations.size(), options);
   std::optional<Registration> registration;
   if (predicted_cam_from_session) {
-    registration = Accept(
-        ResectFromPrediction(observations, *predicted_cam_from_session, ResectOptionsOf(options)),
-        observations.size(), options);
+    registration = RegisterNear(observations, *predicted_cam_from_session, min_inliers, options);
   }
-  if (!registration) registration = RegisterObservations(observations, index, options);
+  if (!registration) registration = Register(observations, index, min_inliers, options);
   if (!registration) return false;
   frame->reference = reference->first;
   frame->cam_from_reference =
@@ -96,10 +119,9 @@ void RefineLightFrames(const MapperOptions& options, Session* session) {
   std::vector<std::pair<uint32_t, LightFrame>> refined;
   for (const auto& [index, frame] : session->light_frames()) {
     const Rigid3& reference = session->keyframe(frame.reference).cam_from_session;
-    const auto registration =
-        Accept(ResectFromPrediction(ObservationsOf(frame, options, *session),
-                                    frame.cam_from_reference * reference, ResectOptionsOf(options)),
-               0, options);
+    const std::vector<PoseObservation> observations = ObservationsOf(frame, options, *session);
+    const auto registration = RegisterNear(observations, frame.cam_from_reference * reference,
+                                           MinLightInliers(observations.size(), options), options);
     if (!registration) continue;
     refined.emplace_back(index, frame);
     refined.back().second.cam_from_reference = registration->cam_from_session * Inverse(reference);

@@ -113,6 +113,34 @@ TEST(PoseLightFrame, RefusesAndLeavesTheFrameWhereNothingAgrees) {
   EXPECT_EQ(frame.num_inliers, 77u);
 }
 
+// The tracks of the first landmarks that it shows stay its own, those of the next show others.
+LightFrame ShowingFew(const SyntheticDrive& drive, const Session& session, size_t num_right,
+                      size_t num_wrong) {
+  LightFrame frame = MakeLightFrame(drive.events[5]);
+  size_t count = 0;
+  for (size_t i = 0; i < frame.tracks.size(); ++i) {
+    if (session.FindLandmark(frame.tracks[i]) == nullptr) continue;
+    if (count >= num_right) frame.points[i].x() += count % 2 == 0 ? 0.3 : -0.2;
+    if (++count > num_right + num_wrong) frame.tracks[i] = 0;
+  }
+  return frame;
+}
+
+TEST(PoseLightFrame, IsPosedByFewLandmarksIfHalfOfThemAgree) {
+  const SyntheticDrive drive = DriveWithNoise(0.0, 1);
+  const Session session = MappedDrive(drive, 9);
+  LightFrame few = ShowingFew(drive, session, 8, 4);
+  ASSERT_TRUE(PoseLightFrame(5, {}, {}, &few, session));
+  EXPECT_EQ(few.num_inliers, 8u);
+  EXPECT_LT(PoseDistance(few.cam_from_reference * session.keyframe(4).cam_from_session,
+                         drive.world.cams_from_map[5]),
+            1e-7);
+  LightFrame too_few = ShowingFew(drive, session, 7, 0);
+  EXPECT_FALSE(PoseLightFrame(5, {}, {}, &too_few, session));
+  LightFrame outvoted = ShowingFew(drive, session, 8, 9);
+  EXPECT_FALSE(PoseLightFrame(5, {}, {}, &outvoted, session));
+}
+
 TEST(RefineLightFrames, MovesThemToWhereTheLandmarksSay) {
   const SyntheticDrive drive = DriveWithNoise(0.0, 1);
   Session session = MappedDrive(drive, 9);
