@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 """Compares a dense cloud or a mesh of a rendered tour with the true surface, after one similarity of
 the trajectories:
-  evaluate_cloud.py CLOUD.ply TRAJECTORY.txt GROUNDTRUTH.txt SURFACE.ply [--added-from N] [--json]
+  evaluate_cloud.py CLOUD.ply TRAJECTORY.txt GROUNDTRUTH.txt SURFACE.ply [--added-from N] [--by-range] [--json]
 CLOUD: dense.ply, densified.ply or mesh.ply (its corners and points even over its triangles);
 SURFACE: of rovio_sim --surface. Prints shares within 5 cm and medians in metres; with N, of the
 points from the N-th on also how many lie within 3 % of their range: the distance to the nearest
-camera that has them in its picture (calibration.txt beside GROUNDTRUTH)."""
+camera that has them in its picture (calibration.txt beside GROUNDTRUTH); --by-range: how much of
+the wanted surface lies in each metre of range, and how much of that within 5 cm of a point."""
 
 import argparse
 import json
@@ -20,6 +21,7 @@ NEAR_M = 0.05
 NEAR_SHARE = 0.03  # of the range
 MIN_CONTRAST = 8.0  # grey levels
 MIN_VIEWS = 3
+RANGES_M = (0, 1, 2, 3, 5, 100)
 SURFACE = numpy.dtype([("x", "<f4", 3), ("color", "u1", 3), ("contrast", "<f4"), ("views", "<u4")])
 
 
@@ -74,7 +76,16 @@ def measure_added(points, to_surface, ranges):
     return {"added": len(points), "added_3_percent": float((to_surface < NEAR_SHARE * ranges).mean())}
 
 
-def measure(cloud, trajectory, ground_truth, surface, added_from=None):
+def measure_by_range(covered, ranges):
+    figures = {}
+    for near, far in zip(RANGES_M[:-1], RANGES_M[1:]):
+        there = (ranges >= near) & (ranges < far)
+        figures[f"share_{near}_to_{far}_m"] = float(there.mean())
+        figures[f"completeness_{near}_to_{far}_m"] = float(covered[there].mean()) if there.any() else 0.0
+    return figures
+
+
+def measure(cloud, trajectory, ground_truth, surface, added_from=None, by_range=False):
     estimate, truth = read_centres(trajectory), read_centres(ground_truth)
     stamps = sorted(set(estimate) & set(truth), key=float)
     scale, rotation, shift = fit_similarity(numpy.array([estimate[s] for s in stamps]),
@@ -95,6 +106,9 @@ def measure(cloud, trajectory, ground_truth, surface, added_from=None):
     if added_from is not None:
         ranges = ranges_of(points[added_from:], ground_truth, set(stamps))
         figures.update(measure_added(points[added_from:], to_surface[added_from:], ranges))
+    if by_range:
+        ranges = ranges_of(samples["x"][wanted].astype(float), ground_truth, set(stamps))
+        figures.update(measure_by_range(to_cloud[wanted] < NEAR_M, ranges))
     return figures
 
 
@@ -103,10 +117,11 @@ def main():
     for name in ("cloud", "trajectory", "ground_truth", "surface"):
         parser.add_argument(name)
     parser.add_argument("--added-from", type=int, metavar="N")
+    parser.add_argument("--by-range", action="store_true")
     parser.add_argument("--json", action="store_true")
     arguments = parser.parse_args()
     figures = measure(arguments.cloud, arguments.trajectory, arguments.ground_truth, arguments.surface,
-                      arguments.added_from)
+                      arguments.added_from, arguments.by_range)
     if arguments.json:
         print(json.dumps(figures))
         return

@@ -1,5 +1,6 @@
 #include "rovio_sfm/dense/check_depth.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "rovio_sfm/dense/project_depth.h"
@@ -19,6 +20,26 @@ bool Agrees(const DepthView& view, const Eigen::Vector2d& x_px, double depth,
   return back && (back->x_px - x_px).norm() <= options.max_shift_px + 0.71;
 }
 
+// Whether enough of the others have found the depth of a pixel, one of them from aside.
+bool IsConfirmed(const DepthView& view, const Eigen::Vector2d& x_px, double depth,
+                 const std::vector<const DepthView*>& others,
+                 const std::vector<const DepthMap*>& their_depths,
+                 const AgreementOptions& options) {
+  const Eigen::Vector3d x = PointOfPixel(view, x_px, depth);
+  const Eigen::Vector3d to_view = OriginInA(view.cam_from_map) - x;
+  int num_agreed = 0;
+  bool is_from_aside = false;
+  for (size_t i = 0; i < others.size(); ++i) {
+    if (!Agrees(view, x_px, depth, *others[i], *their_depths[i], options)) continue;
+    ++num_agreed;
+    const Eigen::Vector3d to_other = OriginInA(others[i]->cam_from_map) - x;
+    const double angle_rad = std::atan2(to_view.cross(to_other).norm(), to_view.dot(to_other));
+    is_from_aside = is_from_aside || angle_rad >= options.min_angle_rad;
+    if (num_agreed >= options.min_views && is_from_aside) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 DepthMap KeepAgreed(const DepthView& view, const DepthMap& depth,
@@ -30,11 +51,9 @@ DepthMap KeepAgreed(const DepthView& view, const DepthMap& depth,
     for (int col = 0; col < depth.cols; ++col) {
       const float here = depth.at<float>(row, col);
       if (here <= 0.0f) continue;
-      int num_agreed = 0;
-      for (size_t i = 0; i < others.size() && num_agreed < options.min_views; ++i) {
-        num_agreed += Agrees(view, {col, row}, here, *others[i], *their_depths[i], options) ? 1 : 0;
+      if (IsConfirmed(view, {col, row}, here, others, their_depths, options)) {
+        kept.at<float>(row, col) = here;
       }
-      if (num_agreed >= options.min_views) kept.at<float>(row, col) = here;
     }
   }
   return kept;

@@ -13,24 +13,20 @@ constexpr double kPixelsPerPlane = 0.75;
 constexpr float kNothing = -1.0f;  // of a correlation
 constexpr int kFlank = 2;          // planes beside the best that are of the same peak
 
-cv::Mat WindowMean(const cv::Mat& values, int window_px) {
-  cv::Mat mean;
-  cv::boxFilter(values, mean, CV_32F, {window_px, window_px}, {-1, -1}, true, cv::BORDER_REPLICATE);
-  return mean;
-}
-
-// Brightness with what correlation needs of it in every window.
-struct Windows {
-  cv::Mat values, mean, variance;  // CV_32F
+// Sums over the windows of a picture's brightness (CV_8U), as integers, so exactly (CV_32S).
+struct WindowSums {
+  cv::Mat values, squares;
 };
 
-Windows MakeWindows(const cv::Mat& grey, int window_px) {
-  Windows windows;
-  grey.convertTo(windows.values, CV_32F);
-  windows.mean = WindowMean(windows.values, window_px);
-  windows.variance =
-      WindowMean(windows.values.mul(windows.values), window_px) - windows.mean.mul(windows.mean);
-  return windows;
+void SumWindows(const cv::Mat& grey, int window_px, WindowSums* sums) {
+  const cv::Size window(window_px, window_px);
+  cv::boxFilter(grey, sums->values, CV_32S, window, {-1, -1}, false, cv::BORDER_REPLICATE);
+  cv::sqrBoxFilter(grey, sums->squares, CV_32S, window, {-1, -1}, false, cv::BORDER_REPLICATE);
+}
+
+// Variance in a window times the square of its number of pixels.
+float SpreadOf(int count, int sum, int squares) {
+  return static_cast<float>(count * squares - sum * sum);
 }
 
 // Pixels of the neighbour from pixels of the view, for points on a plane z = depth of the view.
@@ -44,32 +40,87 @@ cv::Mat PixelsOnPlane(const DepthView& view, const DepthView& neighbor, double i
   return matrix;
 }
 
-// NCC of every window of the view with the neighbour's picture as the plane takes it there;
-// kNothing where that lies outside or shows no contrast.
-cv::Mat Correlate(const Windows& view, const cv::Mat& neighbor_grey, const cv::Mat& pixels,
-                  const SweepOptions& options) {
-  cv::Mat warped;
-  cv::warpPerspective(neighbor_grey, warped, pixels, view.values.size(),
-                      cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT, 0);
-  const Windows seen = MakeWindows(warped, options.window_px);
-  const cv::Mat products = WindowMean(view.values.mul(seen.values), options.window_px);
-  cv::Mat energy = view.variance.mul(seen.variance), correlation;
-  cv::sqrt(cv::max(energy, 1e-3), energy);
-  cv::divide(products - view.mean.mul(seen.mean), energy, correlation);
-  const double min_variance = 0.25 * options.min_contrast * options.min_contrast;
-  correlation.setTo(kNothing, (warped == 0) | (seen.variance <= min_variance));
-  return correlation;
-}
-
-// The mean of the two best neighbours (of two the better one), by pixel.
-cv::Mat BestTwo(const std::vector<cv::Mat>& correlations) {
-  cv::Mat best(correlations[0].size(), CV_32F, cv::Scalar(kNothing)), second = best.clone();
-  for (const cv::Mat& correlation : correlations) {
-    second = cv::max(second, cv::min(best, correlation));
-    best = cv::max(best, correlation);
+// Correlates the windows of a view with its neighbours' pictures as a plane takes them there. Keeps
+// its memory from plane to plane.
+class Correlator {
+ public:
+  Correlator(const DepthView& view, const std::vector<const DepthView*>& neighbors,
+             const SweepOptions& options)
+      : view_(view), neighbors_(neighbors), options_(options) {
+    SumWindows(view.grey, options.window_px, &sums_);
   }
-  return correlations.size() == kMinNeighbors ? best : cv::Mat(0.5 * (best + second));
-}
+
+  // By pixel: the mean of the two best neighbours' NCC, of two neighbours the better one.
+  cv::Mat Score(double inverse_depth) {
+    best_.create(view_.grey.size(), CV_32F);
+    second_.create(view_.grey.size(), CV_32F);
+    best_.setTo(kNothing);
+    second_.setTo(kNothing);
+    for (const DepthView* neighbor : neighbors_) {
+      Add(neighbor->grey, PixelsOnPlane(view_, *neighbor, inverse_depth));
+    }
+    cv::Mat score;
+    if (neighbors_.size() == kMinNeighbors) {
+      best_.copyTo(score);
+    } else {
+      cv::addWeighted(best_, 0.5, second_, 0.5, 0.0, score);
+    }
+    return score;
+  }
+
+  // Of the brightness in the windows of the view, squared.
+  cv::Mat Variance() const {
+    cv::Mat variance(view_.grey.size(), CV_32F);
+    const int count = options_.window_px * options_.window_px;
+    for (int row = 0; row < variance.rows; ++row) {
+      for (int col = 0; col < variance.cols; ++col) {
+        variance.at<float>(row, col) =
+            SpreadOf(count, sums_.values.at<int>(row, col), sums_.squares.at<int>(row, col)) /
+            static_cast<float>(count * count);
+      }
+    }
+    return variance;
+  }
+
+ private:
+  // kNothing where a pixel lies outside of the neighbour's picture or shows no contrast there.
+  void Add(const cv::Mat& neighbor_grey, const cv::Mat& pixels) {
+    cv::warpPerspective(neighbor_grey, warped_, pixels, view_.grey.size(),
+                        cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT, 0);
+    SumWindows(warped_, options_.window_px, &seen_);
+    cv::multiply(view_.grey, warped_, products_, 1.0, CV_16U);
+    cv::boxFilter(products_, product_sums_, CV_32S, {options_.window_px, options_.window_px},
+                  {-1, -1}, false, cv::BORDER_REPLICATE);
+    for (int row = 0; row < warped_.rows; ++row) AddRow(row);
+  }
+
+  void AddRow(int row) {
+    const int count = options_.window_px * options_.window_px;
+    const float least =
+        0.25f * static_cast<float>(options_.min_contrast * options_.min_contrast * count * count);
+    const int *sum_a = sums_.values.ptr<int>(row), *sum_b = seen_.values.ptr<int>(row);
+    const int *squares_a = sums_.squares.ptr<int>(row), *squares_b = seen_.squares.ptr<int>(row);
+    const int* products = product_sums_.ptr<int>(row);
+    const uchar* warped = warped_.ptr<uchar>(row);
+    float *best = best_.ptr<float>(row), *second = second_.ptr<float>(row);
+    for (int i = 0; i < warped_.cols; ++i) {
+      const auto covariance = static_cast<float>(count * products[i] - sum_a[i] * sum_b[i]);
+      const float spread_a = SpreadOf(count, sum_a[i], squares_a[i]);
+      const float spread_b = SpreadOf(count, sum_b[i], squares_b[i]);
+      const float ncc = covariance / std::sqrt(std::max(spread_a * spread_b, 1.0f));
+      const bool is_seen = warped[i] != 0 && spread_b > least;
+      const float score = is_seen ? ncc : kNothing;
+      second[i] = std::max(second[i], std::min(best[i], score));
+      best[i] = std::max(best[i], score);
+    }
+  }
+
+  const DepthView& view_;
+  const std::vector<const DepthView*>& neighbors_;
+  const SweepOptions& options_;
+  WindowSums sums_, seen_;
+  cv::Mat warped_, products_, product_sums_, best_, second_;
+};
 
 // Inverse depths of the planes, from the nearest to the farthest.
 std::vector<double> ChoosePlanes(const DepthView& view,
@@ -134,18 +185,11 @@ DepthMap EstimateDepth(const DepthView& view, const std::vector<const DepthView*
   if (neighbors.size() < kMinNeighbors || !(view.near > 0.0) || !(view.far > view.near)) {
     return DepthMap(view.grey.size(), CV_32F, cv::Scalar(0));
   }
-  const Windows windows = MakeWindows(view.grey, options.window_px);
   const std::vector<double> planes = ChoosePlanes(view, neighbors, options.max_planes);
+  Correlator correlator(view, neighbors, options);
   std::vector<cv::Mat> scores;
-  for (const double inverse_depth : planes) {
-    std::vector<cv::Mat> correlations;
-    for (const DepthView* neighbor : neighbors) {
-      const cv::Mat pixels = PixelsOnPlane(view, *neighbor, inverse_depth);
-      correlations.push_back(Correlate(windows, neighbor->grey, pixels, options));
-    }
-    scores.push_back(BestTwo(correlations));
-  }
-  return ChooseDepths(scores, planes, windows.variance, options);
+  for (const double inverse_depth : planes) scores.push_back(correlator.Score(inverse_depth));
+  return ChooseDepths(scores, planes, correlator.Variance(), options);
 }
 
 }  // namespace rovio_sfm

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
-
-#include "rovio_sfm/util/median.h"
+#include <optional>
 
 namespace rovio_sfm {
 namespace {
@@ -40,38 +40,129 @@ double AngleAt(const Eigen::Vector3d& x, const Eigen::Vector3d& a, const Eigen::
   return std::atan2(to_a.cross(to_b).norm(), to_a.dot(to_b));
 }
 
-// How well a neighbour of that many common points seen under that angle serves.
-double ScoreOf(size_t num_common, double angle_rad, const NeighborOptions& options) {
+// How well two pictures from there measure a point: by the angle under which both see it, and by
+// how different its sizes are in them. 0: not at all.
+double QualityAt(const Eigen::Vector3d& x, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                 const NeighborOptions& options) {
+  const double angle_rad = AngleAt(x, a, b);
+  if (angle_rad < options.min_angle_rad || angle_rad > options.max_angle_rad) return 0.0;
   const double off = std::log(angle_rad / options.best_angle_rad);
-  return std::sqrt(static_cast<double>(num_common)) * std::exp(-off * off);
+  const double sizes = (x - a).norm() / (x - b).norm();
+  return std::exp(-off * off) * std::min(sizes, 1.0 / sizes);
 }
 
+// Where the picture, without distortion, shows a point: from (0, 0) to (1, 1).
+std::optional<Eigen::Vector2d> PlaceInPicture(const MapModel& model, const ModelImage& image,
+                                              const Eigen::Vector3d& x_in_map) {
+  const Camera& camera = model.cameras[image.camera];
+  const Eigen::Vector3d x = image.cam_from_map * x_in_map;
+  if (!(x.z() > 0.0)) return std::nullopt;
+  const Eigen::Vector2d place((camera.fx * x.x() / x.z() + camera.cx) / camera.width,
+                              (camera.fy * x.y() / x.z() + camera.cy) / camera.height);
+  if (!(place.minCoeff() >= 0.0 && place.maxCoeff() < 1.0)) return std::nullopt;
+  return place;
+}
+
+// By point the share in its cell of the picture, so that every part of it counts the same.
+std::vector<double> WeighByCell(const MapModel& model, const ModelImage& image,
+                                const std::vector<uint32_t>& points) {
+  constexpr int kCells = 8;  // along either side
+  std::map<int, double> counts;
+  std::vector<int> cells;
+  for (const uint32_t point : points) {
+    const auto place = PlaceInPicture(model, image, model.points[point].x_in_map);
+    cells.push_back(place ? static_cast<int>(kCells * place->x()) +
+                                kCells * static_cast<int>(kCells * place->y())
+                          : -1);
+    ++counts[cells.back()];
+  }
+  std::vector<double> weights;
+  for (const int cell : cells) weights.push_back(cell < 0 ? 0.0 : 1.0 / counts.at(cell));
+  return weights;
+}
+
+// The qualities at the points, by other image that has enough of them in common.
+std::map<uint32_t, std::vector<double>> FindCandidates(const MapModel& model, uint32_t image,
+                                                       const std::vector<uint32_t>& points,
+                                                       const NeighborOptions& options) {
+  std::map<uint32_t, size_t> num_common;
+  for (const uint32_t point : points) {
+    for (const ModelView& view : model.points[point].views) ++num_common[view.image];
+  }
+  num_common.erase(image);
+  const Eigen::Vector3d center = OriginInA(model.images[image].cam_from_map);
+  std::map<uint32_t, std::vector<double>> candidates;
+  for (const auto& [other, count] : num_common) {
+    if (count < options.min_common) continue;
+    const ModelImage& there = model.images[other];
+    const Eigen::Vector3d other_center = OriginInA(there.cam_from_map);
+    for (const uint32_t point : points) {
+      const Eigen::Vector3d& x = model.points[point].x_in_map;
+      const bool is_seen = PlaceInPicture(model, there, x).has_value();
+      candidates[other].push_back(is_seen ? QualityAt(x, center, other_center, options) : 0.0);
+    }
+  }
+  return candidates;
+}
+
+// What a further view adds to those of a point, whose qualities come from the best on: each counts
+// less than the one before.
+double GainOf(double quality, const std::vector<double>& chosen) {
+  constexpr double kLess = 0.6;
+  double gain = 0.0, factor = 1.0;
+  bool is_counted = false;
+  for (const double other : chosen) {
+    if (!is_counted && other < quality) {
+      gain += factor * quality;
+      is_counted = true;
+    }
+    if (is_counted) gain -= (1.0 - kLess) * factor * other;
+    factor *= kLess;
+  }
+  return is_counted ? gain : gain + factor * quality;
+}
+
+// By point, the qualities of the views that are chosen, the best first.
+using ChosenViews = std::vector<std::vector<double>>;
+
+double TotalGain(const std::vector<double>& qualities, const std::vector<double>& weights,
+                 const ChosenViews& chosen) {
+  double gain = 0.0;
+  for (size_t i = 0; i < weights.size(); ++i) gain += weights[i] * GainOf(qualities[i], chosen[i]);
+  return gain;
+}
+
+void AddView(const std::vector<double>& qualities, ChosenViews* chosen) {
+  for (size_t i = 0; i < qualities.size(); ++i) {
+    std::vector<double>& views = (*chosen)[i];
+    const auto at =
+        std::upper_bound(views.begin(), views.end(), qualities[i], std::greater<double>());
+    views.insert(at, qualities[i]);
+  }
+}
+
+// One after the other the image that adds most, so that what leaves the picture of one, as it does
+// ahead of a robot that drives forward, is seen by others.
 std::vector<uint32_t> NeighborsOf(const MapModel& model, uint32_t image,
                                   const std::vector<uint32_t>& points,
                                   const NeighborOptions& options) {
-  std::map<uint32_t, std::vector<double>> angles;  // at common points, by other image
-  const Eigen::Vector3d center = OriginInA(model.images[image].cam_from_map);
-  for (const uint32_t point : points) {
-    for (const ModelView& view : model.points[point].views) {
-      if (view.image == image) continue;
-      const Eigen::Vector3d other = OriginInA(model.images[view.image].cam_from_map);
-      angles[view.image].push_back(AngleAt(model.points[point].x_in_map, center, other));
+  const std::vector<double> weights = WeighByCell(model, model.images[image], points);
+  auto candidates = FindCandidates(model, image, points, options);
+  ChosenViews chosen(points.size());
+  std::vector<uint32_t> neighbors;
+  while (neighbors.size() < options.max_neighbors) {
+    auto best = candidates.end();
+    double most = 0.0;
+    for (auto it = candidates.begin(); it != candidates.end(); ++it) {
+      const double gain = TotalGain(it->second, weights, chosen);
+      if (gain > most) most = gain, best = it;
     }
+    if (best == candidates.end()) break;
+    AddView(best->second, &chosen);
+    neighbors.push_back(best->first);
+    candidates.erase(best);
   }
-  std::vector<std::pair<double, uint32_t>> scored;
-  for (auto& [other, of_other] : angles) {
-    const size_t num_common = of_other.size();
-    if (num_common < options.min_common) continue;
-    const double angle_rad = Median(std::move(of_other));
-    if (angle_rad < options.min_angle_rad || angle_rad > options.max_angle_rad) continue;
-    scored.push_back({-ScoreOf(num_common, angle_rad, options), other});
-  }
-  std::sort(scored.begin(), scored.end());
-  std::vector<uint32_t> best;
-  for (const auto& [score, other] : scored) {
-    if (best.size() < options.max_neighbors) best.push_back(other);
-  }
-  return best;
+  return neighbors;
 }
 
 }  // namespace

@@ -32,5 +32,14 @@ TEST(KeepAgreed, UnknownDepthsConfirmNothing) {
   EXPECT_EQ(cv::countNonZero(KeepAgreed(views[0], right, others, {&right, &unknown}, {})), 0);
 }
 
+TEST(KeepAgreed, ViewsFromNearlyTheSameDirectionConfirmNothing) {
+  std::vector<DepthView> views;
+  for (const double x : {0.0, 0.04, -0.04, 0.2}) views.push_back(ViewOfWall(x, 0.0, 2.0));
+  const DepthMap right = Constant(views[0], 2.0f);
+  const std::vector<const DepthMap*> found = {&right, &right};
+  EXPECT_EQ(cv::countNonZero(KeepAgreed(views[0], right, {&views[1], &views[2]}, found, {})), 0);
+  EXPECT_GT(cv::countNonZero(KeepAgreed(views[0], right, {&views[1], &views[3]}, found, {})), 0);
+}
+
 }  // namespace
 }  // namespace rovio_sfm

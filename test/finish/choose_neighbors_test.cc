@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "finish/small_model.h"
 #include "rovio_sfm/geometry/sim3.h"
 
@@ -30,6 +32,45 @@ TEST(ChooseNeighbors, PrefersTheAngleThatServesBest) {
   EXPECT_EQ(ChooseNeighbors(model, options)[0].neighbors, std::vector<uint32_t>{2});
   options.best_angle_rad = 0.05;
   EXPECT_EQ(ChooseNeighbors(model, options)[0].neighbors, std::vector<uint32_t>{1});
+}
+
+// Ten cameras that drive along a passage, of which those ahead no longer see the walls beside.
+MapModel Passage() {
+  MapModel model = SmallRoom(10);
+  const ModelPoint pattern = model.points[0];
+  for (double x = 0.5; x < 4.0; x += 0.1) {
+    for (const double y : {-0.5, 0.5}) {
+      model.points.push_back(pattern);
+      model.points.back().x_in_map = {x, y, 0.2};
+    }
+  }
+  return model;
+}
+
+bool Shows(const MapModel& model, uint32_t image, const Eigen::Vector3d& x_in_map) {
+  const Eigen::Vector3d x = model.images[image].cam_from_map * x_in_map;
+  const Camera& camera = model.cameras[0];
+  const Eigen::Vector2d pixel(camera.fx * x.x() / x.z() + camera.cx,
+                              camera.fy * x.y() / x.z() + camera.cy);
+  return x.z() > 0.0 && pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() < camera.width &&
+         pixel.y() < camera.height;
+}
+
+TEST(ChooseNeighbors, SeeTogetherAllThatTheImageSees) {
+  const MapModel model = Passage();
+  NeighborOptions options;
+  options.max_neighbors = 3;
+  const std::vector<uint32_t> neighbors = ChooseNeighbors(model, options)[4].neighbors;
+  ASSERT_EQ(neighbors.size(), 3u);
+  size_t num_shown = 0, num_seen_by_two = 0;
+  for (const ModelPoint& point : model.points) {
+    if (!Shows(model, 4, point.x_in_map)) continue;
+    ++num_shown;
+    const auto sees = [&](uint32_t other) { return Shows(model, other, point.x_in_map); };
+    if (std::count_if(neighbors.begin(), neighbors.end(), sees) >= 2) ++num_seen_by_two;
+  }
+  EXPECT_GT(num_shown, 100u);
+  EXPECT_EQ(num_seen_by_two, num_shown);
 }
 
 TEST(ChooseNeighbors, NoneWithoutCommonPointsOrParallax) {

@@ -7,8 +7,8 @@
 namespace rovio_sfm {
 
 struct SweepOptions {
-  int window_px = 7;             // of the correlation, odd, at half size
-  int max_planes = 128;          // fewer where the neighbours' parallax needs fewer
+  int window_px = 7;             // of the correlation, odd, at most 13, at half size
+  int max_planes = 80;           // fewer where the neighbours' parallax needs fewer
   double min_correlation = 0.5;  // mean of the two best neighbours
   double min_contrast = 3.0;     // grey levels, standard deviation in the window
   // The next best plane apart from the best one's flanks must be that much worse.

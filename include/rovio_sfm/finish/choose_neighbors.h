@@ -10,7 +10,7 @@ namespace rovio_sfm {
 struct NeighborOptions {
   size_t max_neighbors = 6;
   size_t min_common = 15;  // points that both see
-  // Of the median angle at common points; outside of it pictures tell little, or look too
+  // Of the angle at a point that two pictures see; outside of it they tell little, or look too
   // different.
   double min_angle_rad = 0.015, max_angle_rad = 0.5;
   double best_angle_rad = 0.1;  // 6 deg
@@ -18,8 +18,10 @@ struct NeighborOptions {
 
 // What the sweep of an image works with, from the points that it sees.
 struct ImageSurroundings {
-  double near = 0.0, far = 0.0;     // depths, map units, with some room; 0: it sees too few points
-  std::vector<uint32_t> neighbors;  // indices of images, the best first
+  double near = 0.0, far = 0.0;  // depths, map units, with some room; 0: it sees too few points
+  // Indices of images, the one that tells most first, then what adds most to those before: together
+  // they measure every part of the picture.
+  std::vector<uint32_t> neighbors;
 };
 
 // By image of the model.
