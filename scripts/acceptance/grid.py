@@ -6,12 +6,13 @@ import yaml
 from scipy.spatial import cKDTree
 
 from acceptance.common import NOISE, PROGRAMS, WORK, Line, map_images, render_tour, run
-from evaluate_cloud import fit_similarity, read_centres, read_surface
+from evaluate_cloud import MIN_CONTRAST, MIN_VIEWS, fit_similarity, read_centres, read_surface
 
 TOUR = "engineRoom0"
-MIN_FREE_TRUE, MIN_FLOOR_FREE, MIN_OCCUPIED_TRUE = 0.95, 0.60, 0.80
+MIN_FREE_TRUE, MIN_FLOOR_FREE, MIN_OCCUPIED_TRUE, MIN_WALLS_MARKED = 0.95, 0.60, 0.80, 0.80
 BAND_M, FLOOR_M = (0.04, 0.40), 0.02  # heights of what stands in the way, and of the floor
 NEAR_PATH_M, NEAR_SURFACE_M = 2.0, 0.10
+MAX_RANGE_M = 4.0  # of the rays that the grid is made of
 
 
 def read_grid(folder):
@@ -24,27 +25,38 @@ def read_grid(folder):
 
 
 def truth_in_map(folder, truth_folder):
-    """The true surface's points in the map's frame, and the path's."""
+    """The true surface's points in the map's frame, which of them show contrast to enough keyframes, their
+    heights, and the path's points."""
     estimate, truth = read_centres(folder / "trajectory.txt"), read_centres(truth_folder / "groundtruth.txt")
     stamps = sorted(set(estimate) & set(truth), key=float)
     path = numpy.array([estimate[s] for s in stamps])
     scale, rotation, shift = fit_similarity(numpy.array([truth[s] for s in stamps]), path)
     surface = WORK / f"grid/{TOUR}_surface.ply"
     run(PROGRAMS / "rovio_sim", "--surface", TOUR, "--camera", "plain", "--seed", 1, "--out", surface, "--overwrite")
-    world = read_surface(surface)["x"].astype(float)
-    return scale * world @ rotation.T + shift, world[:, 2], path
+    samples = read_surface(surface)
+    world = samples["x"].astype(float)
+    shown = (samples["contrast"] >= MIN_CONTRAST) & (samples["views"] >= MIN_VIEWS)
+    return scale * world @ rotation.T + shift, shown, world[:, 2], path
+
+
+def share_of_walls(walls, occupied, path):
+    """Of the cells in which something stands that keyframes show: with an occupied cell near; of those near the path."""
+    marked = cKDTree(occupied).query(walls)[0] <= NEAR_SURFACE_M
+    near = cKDTree(path[:, :2]).query(walls)[0] <= MAX_RANGE_M
+    return marked.mean(), marked[near].mean()
 
 
 def grid(_quick):
     truth_folder = render_tour(TOUR, NOISE, 1)
     map_images("grid/map", [truth_folder], "--format", "tum,dense,grid")
     cells, origin, resolution = read_grid(WORK / "grid/map")
-    points, heights, path = truth_in_map(WORK / "grid/map", truth_folder)
+    points, shown, heights, path = truth_in_map(WORK / "grid/map", truth_folder)
+    in_band = (heights > BAND_M[0]) & (heights < BAND_M[1])
 
     def centers(value):
         rows, columns = numpy.nonzero(cells == value)
         return origin + resolution * (numpy.stack([columns, rows], 1) + 0.5)
-    stands = cKDTree(points[(heights > BAND_M[0]) & (heights < BAND_M[1])][:, :2])
+    stands = cKDTree(points[in_band][:, :2])
     free_true = (stands.query(centers(0))[0] > resolution / 2).mean()
     occupied_true = (stands.query(centers(100))[0] <= NEAR_SURFACE_M).mean()
     floor = points[heights < FLOOR_M][:, :2]
@@ -52,10 +64,14 @@ def grid(_quick):
     at = numpy.floor((floor - origin) / resolution).astype(int)
     inside = ((at >= 0) & (at < cells.shape[::-1])).all(1)
     floor_free = (cells[at[inside, 1], at[inside, 0]] == 0).sum() / len(floor)
-    holds = free_true >= MIN_FREE_TRUE and floor_free >= MIN_FLOOR_FREE and occupied_true >= MIN_OCCUPIED_TRUE
+    walls = numpy.unique(numpy.floor((points[in_band & shown][:, :2] - origin) / resolution), axis=0)
+    walls_marked, near_marked = share_of_walls(origin + resolution * (walls + 0.5), centers(100), path)
+    holds = (free_true >= MIN_FREE_TRUE and floor_free >= MIN_FLOOR_FREE and occupied_true >= MIN_OCCUPIED_TRUE
+             and walls_marked >= MIN_WALLS_MARKED)
     return holds, (f"{100 * free_true:.1f} % of the free cells are free, {100 * floor_free:.1f} % of the floor within "
                    f"{NEAR_PATH_M:.0f} m of the path is marked free, {100 * occupied_true:.1f} % of the occupied cells lie "
-                   f"within {100 * NEAR_SURFACE_M:.0f} cm of a surface")
+                   f"within {100 * NEAR_SURFACE_M:.0f} cm of a surface, {100 * walls_marked:.1f} % of the wall cells with "
+                   f"contrast have one so near ({100 * near_marked:.1f} % within {MAX_RANGE_M:.0f} m of the path)")
 
 
 LINES = [Line("grid", f"the occupancy grid of {TOUR}, read as map_server reads it", grid, False)]

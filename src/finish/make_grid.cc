@@ -1,10 +1,13 @@
 #include "rovio_sfm/finish/make_grid.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 namespace rovio_sfm {
 namespace {
@@ -75,12 +78,55 @@ class CellCounts {
   std::vector<int> points_;
 };
 
-bool IsInBand(double z_m, const GridOptions& options) {
-  return z_m >= options.min_height_m && z_m <= options.max_height_m;
+// The floor that the map shows. The level frame is as level as the camera is mounted: half a degree
+// lifts the floor by 4 cm at 4 m.
+class Floor {
+ public:
+  // The plane of the points near z = 0; z = 0 itself where they are few or all in one line.
+  explicit Floor(const std::vector<Eigen::Vector3d>& points) {
+    for (const double reach_m : {0.10, 0.05, 0.03}) {
+      std::vector<Eigen::Vector3d> near;
+      for (const Eigen::Vector3d& x : points) {
+        if (std::abs(HeightOf(x)) < reach_m) near.push_back(x);
+      }
+      if (!Fit(near)) return;
+    }
+  }
+
+  double HeightOf(const Eigen::Vector3d& x) const {
+    return x.z() - offset_m_ - slope_.dot(x.head<2>());
+  }
+
+ private:
+  // False: nothing was changed.
+  bool Fit(const std::vector<Eigen::Vector3d>& points) {
+    constexpr size_t kMinPoints = 100;
+    constexpr double kMinSpread_m = 0.3;  // standard deviation along the shorter way
+    if (points.size() < kMinPoints) return false;
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& x : points) mean += x / static_cast<double>(points.size());
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const Eigen::Vector3d& x : points) {
+      spread += (x - mean) * (x - mean).transpose() / static_cast<double>(points.size());
+    }
+    const Eigen::Matrix2d flat = spread.topLeftCorner<2, 2>();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> along(flat);
+    if (along.eigenvalues()[0] < kMinSpread_m * kMinSpread_m) return false;
+    slope_ = flat.inverse() * spread.topRightCorner<2, 1>();
+    offset_m_ = mean.z() - slope_.dot(mean.head<2>());
+    return true;
+  }
+
+  Eigen::Vector2d slope_ = Eigen::Vector2d::Zero();
+  double offset_m_ = 0.0;
+};
+
+bool IsInBand(double height_m, const GridOptions& options) {
+  return height_m >= options.min_height_m && height_m <= options.max_height_m;
 }
 
 // Cameras, and points in the band near them.
-Eigen::AlignedBox2d AreaOf(const MapModel& model, const GridOptions& options) {
+Eigen::AlignedBox2d AreaOf(const MapModel& model, const Floor& floor, const GridOptions& options) {
   Eigen::AlignedBox2d cameras;
   for (const ModelImage& image : model.images)
     cameras.extend(OriginInA(image.cam_from_map).head<2>());
@@ -88,7 +134,7 @@ Eigen::AlignedBox2d AreaOf(const MapModel& model, const GridOptions& options) {
   Eigen::AlignedBox2d area = cameras;
   for (const ModelPoint& point : model.points) {
     const Eigen::Vector2d x = point.x_in_map.head<2>();
-    if (IsInBand(point.x_in_map.z(), options) && cameras.exteriorDistance(x) < reach_m)
+    if (IsInBand(floor.HeightOf(point.x_in_map), options) && cameras.exteriorDistance(x) < reach_m)
       area.extend(x);
   }
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(options.margin_m);
@@ -97,11 +143,12 @@ Eigen::AlignedBox2d AreaOf(const MapModel& model, const GridOptions& options) {
 
 // A ray is over the floor only where it runs in the robot's height: from a camera in the band to a
 // point in it. What lies above or on the floor is seen across free floor up to there.
-void AddRays(const MapModel& model, const GridOptions& options, CellCounts* counts) {
+void AddRays(const MapModel& model, const Floor& floor, const GridOptions& options,
+             CellCounts* counts) {
   for (const ModelPoint& point : model.points) {
-    const double z_m = point.x_in_map.z();
-    if (z_m < -options.min_height_m || z_m > options.max_height_m) continue;
-    const bool occupies = IsInBand(z_m, options);
+    const double height_m = floor.HeightOf(point.x_in_map);
+    if (height_m < -options.min_height_m || height_m > options.max_height_m) continue;
+    const bool occupies = IsInBand(height_m, options);
     if (occupies) counts->AddPoint(point.x_in_map.head<2>());
     for (const ModelView& view : point.views) {
       const Eigen::Vector3d center = OriginInA(model.images[view.image].cam_from_map);
@@ -113,6 +160,24 @@ void AddRays(const MapModel& model, const GridOptions& options, CellCounts* coun
   }
 }
 
+void AddDense(const PointCloud& dense, const Floor& floor, const GridOptions& options,
+              CellCounts* counts) {
+  for (const DensePoint& point : dense) {
+    const Eigen::Vector3d x = point.position.cast<double>();
+    if (!IsInBand(floor.HeightOf(x), options)) continue;
+    for (uint32_t i = 0; i < point.num_views; ++i) counts->AddPoint(x.head<2>());
+  }
+}
+
+Floor FindFloor(const MapModel& model, const PointCloud* dense) {
+  std::vector<Eigen::Vector3d> points;
+  for (const ModelPoint& point : model.points) points.push_back(point.x_in_map);
+  if (dense != nullptr) {
+    for (const DensePoint& point : *dense) points.push_back(point.position.cast<double>());
+  }
+  return Floor(points);
+}
+
 }  // namespace
 
 OccupancyGridMap MakeGrid(const MapModel& model, const PointCloud* dense,
@@ -122,16 +187,10 @@ OccupancyGridMap MakeGrid(const MapModel& model, const PointCloud* dense,
                                 ": expected metres; a grid needs a metric map");
   }
   if (model.images.empty()) return {};
-  CellCounts counts(AreaOf(model, options), options.resolution_m);
-  AddRays(model, options, &counts);
-  if (dense != nullptr) {
-    for (const DensePoint& point : *dense) {
-      if (!IsInBand(point.position.z(), options)) continue;
-      for (uint32_t i = 0; i < point.num_views; ++i) {
-        counts.AddPoint(point.position.head<2>().cast<double>());
-      }
-    }
-  }
+  const Floor floor = FindFloor(model, dense);
+  CellCounts counts(AreaOf(model, floor, options), options.resolution_m);
+  AddRays(model, floor, options, &counts);
+  if (dense != nullptr) AddDense(*dense, floor, options, &counts);
   for (const ModelImage& image : model.images) {
     const Eigen::Vector2d center = OriginInA(image.cam_from_map).head<2>();
     counts.AddDisc(center, options.robot_radius_m, options.min_free + 1.0);

@@ -51,6 +51,20 @@ TEST(MakeGrid, PointsAboveTheRobotDoNotStandInItsWay) {
   for (const GridCell cell : grid.cells) EXPECT_NE(cell, GridCell::kOccupied);
 }
 
+TEST(MakeGrid, HeightsAreOverTheFloorThatTheMapShows) {
+  MapModel model = SmallRoom();
+  for (ModelPoint& point : model.points) {
+    point.x_in_map.z() += 0.015 + 0.012 * point.x_in_map.x();  // 0.7 deg, 6 cm at the wall
+  }
+  const OccupancyGridMap grid = MakeGrid(model, nullptr, {});
+  for (double x = 1.0; x < 3.8; x += 0.05) {
+    for (double y = -0.5; y <= 0.5; y += 0.05) {
+      EXPECT_NE(CellAt(grid, x, y), GridCell::kOccupied) << x << " " << y;
+    }
+  }
+  EXPECT_EQ(CellAt(grid, 4.0, 0.01), GridCell::kOccupied);
+}
+
 TEST(MakeGrid, ADenseCloudOccupiesToo) {
   PointCloud dense;
   for (int i = 0; i < 3; ++i) dense.push_back({{2.02f, -0.78f, 0.2f}, {}, {}, 3});

@@ -25,7 +25,7 @@ enum class GridCell : int8_t {
   kOccupied = 100
 };  // as OccupancyGrid has them
 
-// What is free and what is not on the floor z = 0 of a level map.
+// What is free and what is not on the floor of a level map.
 struct OccupancyGridMap {
   double resolution_m = 0.05;
   Eigen::Vector2d origin_m =
@@ -39,8 +39,9 @@ struct OccupancyGridMap {
   }
 };
 
-// A grid of a metric model in its level frame (base at the first image on the floor): points in the
-// robot's height band occupy cells, rays from cameras to the points that they see free those
+// A grid of a metric model in its level frame (base at the first image on the floor). Heights are
+// over the plane of the points near z = 0 (over z = 0 where those are few). Points in the robot's
+// height band occupy cells, rays from cameras to the points that they see free those
 // between, and so do the places where the robot stood. Points of a dense cloud, where there is one,
 // occupy too. Empty for a model without images. Throws std::invalid_argument where the model is not
 // in metres.
