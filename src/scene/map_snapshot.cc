@@ -1,5 +1,6 @@
 #include "rovio_sfm/scene/map_snapshot.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rovio_sfm {
@@ -13,9 +14,15 @@ Rigid3 BaseFromLevelCamera(double camera_pitch_rad) {
   return {Eigen::Quaterniond(pitch * body_from_optical), Eigen::Vector3d::Zero()};
 }
 
-const FrameSnapshot* FirstFrame(const SessionSnapshot& session) {
+// The frame that says what is level: of the first block of frames the first whose head is known,
+// else the first. A live drive's first images may come before the head's transform does.
+const FrameSnapshot* LevelFrame(const SessionSnapshot& session) {
   for (const auto& block : session.frames) {
-    if (!block->empty()) return &block->front();
+    if (block->empty()) continue;
+    const auto known = std::find_if(block->begin(), block->end(), [](const FrameSnapshot& frame) {
+      return frame.base_from_camera.has_value();
+    });
+    return known != block->end() ? &*known : &block->front();
   }
   return nullptr;
 }
@@ -23,15 +30,15 @@ const FrameSnapshot* FirstFrame(const SessionSnapshot& session) {
 }  // namespace
 
 std::optional<Sim3> LevelFromSession(const SessionSnapshot& session, double camera_pitch_rad) {
-  const FrameSnapshot* first = FirstFrame(session);
-  if (first == nullptr) return std::nullopt;
+  const FrameSnapshot* frame = LevelFrame(session);
+  if (frame == nullptr) return std::nullopt;
   const double scale = session.scale ? session.scale->metres_per_unit : 1.0;
   Rigid3 base_from_camera = BaseFromLevelCamera(camera_pitch_rad);
   // A lever arm in metres has no meaning beside map units: only its direction of view counts then.
-  if (first->base_from_camera) base_from_camera.rotation = first->base_from_camera->rotation;
-  if (first->base_from_camera && session.scale) base_from_camera = *first->base_from_camera;
-  const Sim3 cam_from_session{scale, first->cam_from_session.rotation,
-                              scale * first->cam_from_session.translation};
+  if (frame->base_from_camera) base_from_camera.rotation = frame->base_from_camera->rotation;
+  if (frame->base_from_camera && session.scale) base_from_camera = *frame->base_from_camera;
+  const Sim3 cam_from_session{scale, frame->cam_from_session.rotation,
+                              scale * frame->cam_from_session.translation};
   return Sim3{1.0, base_from_camera.rotation, base_from_camera.translation} * cam_from_session;
 }
 

@@ -45,6 +45,23 @@ TEST(LevelFromSession, TakesTheCameraAsPitchedDown) {
   ExpectNear(*level * InSession(SomePose(), {0, 0, 1}), forward);
 }
 
+TEST(LevelFromSession, StandsOnTheFloorOfTheFirstFrameWhoseHeadIsKnown) {
+  const Rigid3 base_from_camera{Eigen::Quaterniond(0.5, -0.5, 0.5, -0.5), {0.1, 0.0, 0.25}};
+  FrameBlock block(3);
+  for (int i = 0; i < 3; ++i) {
+    block[static_cast<size_t>(i)].cam_from_session = SomePose();
+    block[static_cast<size_t>(i)].cam_from_session.translation.z() -= 0.1 * i;
+  }
+  block[1].base_from_camera = block[2].base_from_camera = base_from_camera;
+  SessionSnapshot session;
+  session.frames = {std::make_shared<const FrameBlock>(block)};
+  session.scale = MapScale{1.0, 0.01, "odometry"};
+  const auto level = LevelFromSession(session);
+  ASSERT_TRUE(level);
+  ExpectNear(*level * InSession(block[1].cam_from_session, {0, 0, 0}),
+             base_from_camera.translation);
+}
+
 TEST(LevelFromSession, IsMetricAndHasTheLeverArmWithAScale) {
   SessionSnapshot session = OneFrame(SomePose());
   const Rigid3 base_from_camera{Eigen::Quaterniond(0.5, -0.5, 0.5, -0.5), {0.1, 0.0, 0.25}};

@@ -85,9 +85,9 @@ struct MapSnapshot {
 };
 
 // The frame `<session>/map` (§3 of the design) from the session's own gauge: base_link at the first
-// registered frame, x forward, z up, in metres if the session has a scale, else in map units. Where
-// the head's pose is unknown the camera is taken as pitched down by camera_pitch_rad. Nothing for a
-// session without frames.
+// registered frame whose head's pose is known (of the first block of frames), x forward, z up, in
+// metres if the session has a scale, else in map units. Where none is known, the first frame's
+// camera is taken as pitched down by camera_pitch_rad. Nothing for a session without frames.
 std::optional<Sim3> LevelFromSession(const SessionSnapshot& session, double camera_pitch_rad = 0.0);
 
 }  // namespace rovio_sfm
