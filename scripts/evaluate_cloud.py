@@ -32,6 +32,11 @@ def read_surface(path):
     return numpy.frombuffer(body, SURFACE)
 
 
+def shown_with_contrast(samples):
+    """Which points of a surface enough keyframes see, and not as plain."""
+    return (samples["contrast"] >= MIN_CONTRAST) & (samples["views"] >= MIN_VIEWS)
+
+
 def read_points(path):
     """Of a cloud; of a mesh, points even over it."""
     open3d.utility.set_verbosity_level(open3d.utility.VerbosityLevel.Error)  # it warns on the standard output
@@ -94,7 +99,7 @@ def measure(cloud, trajectory, ground_truth, surface, added_from=None, by_range=
     samples = read_surface(surface)
     to_surface = cKDTree(samples["x"]).query(points)[0]
     to_cloud = cKDTree(points).query(samples["x"])[0]
-    wanted = (samples["contrast"] >= MIN_CONTRAST) & (samples["views"] >= MIN_VIEWS)
+    wanted = shown_with_contrast(samples)
     figures = {
         "points": len(points),
         "accuracy_5cm": float((to_surface < NEAR_M).mean()),

@@ -6,7 +6,7 @@ import yaml
 from scipy.spatial import cKDTree
 
 from acceptance.common import NOISE, PROGRAMS, WORK, Line, map_images, render_tour, run
-from evaluate_cloud import MIN_CONTRAST, MIN_VIEWS, fit_similarity, read_centres, read_surface
+from evaluate_cloud import fit_similarity, read_centres, read_surface, shown_with_contrast
 
 TOUR = "engineRoom0"
 MIN_FREE_TRUE, MIN_FLOOR_FREE, MIN_OCCUPIED_TRUE, MIN_WALLS_MARKED = 0.95, 0.60, 0.80, 0.80
@@ -35,8 +35,7 @@ def truth_in_map(folder, truth_folder):
     run(PROGRAMS / "rovio_sim", "--surface", TOUR, "--camera", "plain", "--seed", 1, "--out", surface, "--overwrite")
     samples = read_surface(surface)
     world = samples["x"].astype(float)
-    shown = (samples["contrast"] >= MIN_CONTRAST) & (samples["views"] >= MIN_VIEWS)
-    return scale * world @ rotation.T + shift, shown, world[:, 2], path
+    return scale * world @ rotation.T + shift, shown_with_contrast(samples), world[:, 2], path
 
 
 def share_of_walls(walls, occupied, path):

@@ -1,16 +1,17 @@
 #include "rovio_sfm/dense/check_depth.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 
 #include "rovio_sfm/dense/project_depth.h"
+#include "rovio_sfm/geometry/triangulate.h"
 
 namespace rovio_sfm {
 namespace {
 
-bool Agrees(const DepthView& view, const Eigen::Vector2d& x_px, double depth,
+// x: the point that the view has found at x_px.
+bool Agrees(const DepthView& view, const Eigen::Vector2d& x_px, const Eigen::Vector3d& x,
             const DepthView& other, const DepthMap& their_depth, const AgreementOptions& options) {
-  const auto there = SeePoint(other, PointOfPixel(view, x_px, depth));
+  const auto there = SeePoint(other, x);
   if (!there) return false;
   const double found = their_depth.at<float>(there->pixel);
   if (found <= 0.0 || std::abs(found / there->depth - 1.0) > options.max_gap) return false;
@@ -26,15 +27,14 @@ bool IsConfirmed(const DepthView& view, const Eigen::Vector2d& x_px, double dept
                  const std::vector<const DepthMap*>& their_depths,
                  const AgreementOptions& options) {
   const Eigen::Vector3d x = PointOfPixel(view, x_px, depth);
-  const Eigen::Vector3d to_view = OriginInA(view.cam_from_map) - x;
+  const Eigen::Vector3d center = OriginInA(view.cam_from_map);
   int num_agreed = 0;
   bool is_from_aside = false;
   for (size_t i = 0; i < others.size(); ++i) {
-    if (!Agrees(view, x_px, depth, *others[i], *their_depths[i], options)) continue;
+    if (!Agrees(view, x_px, x, *others[i], *their_depths[i], options)) continue;
     ++num_agreed;
-    const Eigen::Vector3d to_other = OriginInA(others[i]->cam_from_map) - x;
-    const double angle_rad = std::atan2(to_view.cross(to_other).norm(), to_view.dot(to_other));
-    is_from_aside = is_from_aside || angle_rad >= options.min_angle_rad;
+    is_from_aside = is_from_aside || ParallaxAngle(center, OriginInA(others[i]->cam_from_map), x) >=
+                                         options.min_angle_rad;
     if (num_agreed >= options.min_views && is_from_aside) return true;
   }
   return false;

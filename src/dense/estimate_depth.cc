@@ -47,7 +47,16 @@ class Correlator {
   Correlator(const DepthView& view, const std::vector<const DepthView*>& neighbors,
              const SweepOptions& options)
       : view_(view), neighbors_(neighbors), options_(options) {
-    SumWindows(view.grey, options.window_px, &sums_);
+    WindowSums sums;
+    SumWindows(view.grey, options.window_px, &sums);
+    sum_ = sums.values;
+    spread_.create(view.grey.size(), CV_32F);
+    for (int row = 0; row < spread_.rows; ++row) {
+      for (int col = 0; col < spread_.cols; ++col) {
+        spread_.at<float>(row, col) =
+            SpreadOf(count_, sum_.at<int>(row, col), sums.squares.at<int>(row, col));
+      }
+    }
   }
 
   // By pixel: the mean of the two best neighbours' NCC, of two neighbours the better one.
@@ -69,18 +78,7 @@ class Correlator {
   }
 
   // Of the brightness in the windows of the view, squared.
-  cv::Mat Variance() const {
-    cv::Mat variance(view_.grey.size(), CV_32F);
-    const int count = options_.window_px * options_.window_px;
-    for (int row = 0; row < variance.rows; ++row) {
-      for (int col = 0; col < variance.cols; ++col) {
-        variance.at<float>(row, col) =
-            SpreadOf(count, sums_.values.at<int>(row, col), sums_.squares.at<int>(row, col)) /
-            static_cast<float>(count * count);
-      }
-    }
-    return variance;
-  }
+  cv::Mat Variance() const { return spread_ / (count_ * count_); }
 
  private:
   // kNothing where a pixel lies outside of the neighbour's picture or shows no contrast there.
@@ -95,19 +93,18 @@ class Correlator {
   }
 
   void AddRow(int row) {
-    const int count = options_.window_px * options_.window_px;
     const float least =
-        0.25f * static_cast<float>(options_.min_contrast * options_.min_contrast * count * count);
-    const int *sum_a = sums_.values.ptr<int>(row), *sum_b = seen_.values.ptr<int>(row);
-    const int *squares_a = sums_.squares.ptr<int>(row), *squares_b = seen_.squares.ptr<int>(row);
+        0.25f * static_cast<float>(options_.min_contrast * options_.min_contrast * count_ * count_);
+    const int *sum_a = sum_.ptr<int>(row), *sum_b = seen_.values.ptr<int>(row);
+    const int* squares_b = seen_.squares.ptr<int>(row);
+    const float* spread_a = spread_.ptr<float>(row);
     const int* products = product_sums_.ptr<int>(row);
     const uchar* warped = warped_.ptr<uchar>(row);
     float *best = best_.ptr<float>(row), *second = second_.ptr<float>(row);
     for (int i = 0; i < warped_.cols; ++i) {
-      const auto covariance = static_cast<float>(count * products[i] - sum_a[i] * sum_b[i]);
-      const float spread_a = SpreadOf(count, sum_a[i], squares_a[i]);
-      const float spread_b = SpreadOf(count, sum_b[i], squares_b[i]);
-      const float ncc = covariance / std::sqrt(std::max(spread_a * spread_b, 1.0f));
+      const auto covariance = static_cast<float>(count_ * products[i] - sum_a[i] * sum_b[i]);
+      const float spread_b = SpreadOf(count_, sum_b[i], squares_b[i]);
+      const float ncc = covariance / std::sqrt(std::max(spread_a[i] * spread_b, 1.0f));
       const bool is_seen = warped[i] != 0 && spread_b > least;
       const float score = is_seen ? ncc : kNothing;
       second[i] = std::max(second[i], std::min(best[i], score));
@@ -118,7 +115,9 @@ class Correlator {
   const DepthView& view_;
   const std::vector<const DepthView*>& neighbors_;
   const SweepOptions& options_;
-  WindowSums sums_, seen_;
+  int count_ = options_.window_px * options_.window_px;  // pixels of a window
+  cv::Mat sum_, spread_;                                 // of the view's windows
+  WindowSums seen_;                                      // of the neighbour's
   cv::Mat warped_, products_, product_sums_, best_, second_;
 };
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <optional>
 
+#include "rovio_sfm/geometry/triangulate.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -35,16 +37,11 @@ void SetRange(const MapModel& model, const ModelImage& image, const std::vector<
   surroundings->far = depths[depths.size() - 1 - cut] * kRoom;
 }
 
-double AngleAt(const Eigen::Vector3d& x, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  const Eigen::Vector3d to_a = a - x, to_b = b - x;
-  return std::atan2(to_a.cross(to_b).norm(), to_a.dot(to_b));
-}
-
 // How well two pictures from there measure a point: by the angle under which both see it, and by
 // how different its sizes are in them. 0: not at all.
 double QualityAt(const Eigen::Vector3d& x, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                  const NeighborOptions& options) {
-  const double angle_rad = AngleAt(x, a, b);
+  const double angle_rad = ParallaxAngle(a, b, x);
   if (angle_rad < options.min_angle_rad || angle_rad > options.max_angle_rad) return 0.0;
   const double off = std::log(angle_rad / options.best_angle_rad);
   const double sizes = (x - a).norm() / (x - b).norm();
@@ -109,17 +106,15 @@ std::map<uint32_t, std::vector<double>> FindCandidates(const MapModel& model, ui
 // less than the one before.
 double GainOf(double quality, const std::vector<double>& chosen) {
   constexpr double kLess = 0.6;
-  double gain = 0.0, factor = 1.0;
-  bool is_counted = false;
-  for (const double other : chosen) {
-    if (!is_counted && other < quality) {
-      gain += factor * quality;
-      is_counted = true;
-    }
-    if (is_counted) gain -= (1.0 - kLess) * factor * other;
+  double factor = 1.0;
+  auto worse = chosen.begin();
+  for (; worse != chosen.end() && *worse >= quality; ++worse) factor *= kLess;
+  double gain = factor * quality;
+  for (; worse != chosen.end(); ++worse) {
+    gain -= (1.0 - kLess) * factor * *worse;
     factor *= kLess;
   }
-  return is_counted ? gain : gain + factor * quality;
+  return gain;
 }
 
 // By point, the qualities of the views that are chosen, the best first.

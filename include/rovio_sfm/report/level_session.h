@@ -5,7 +5,7 @@
 #include "rovio_sfm/report/level_map.h"
 #include "rovio_sfm/scene/map_snapshot.h"
 
-// Sessions as the world sees them: level, at base_link of the session's first registered frame,
+// Sessions as the world sees them: level, at base_link of the frame that LevelFromSession takes,
 // x forward, z up; metres if the map is metric, else units of the map.
 namespace rovio_sfm {
 
