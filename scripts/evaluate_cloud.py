@@ -1,12 +1,14 @@
 #!/usr/bin/python3
 """Compares a dense cloud or a mesh of a rendered tour with the true surface, after one similarity of
 the trajectories:
-  evaluate_cloud.py CLOUD.ply TRAJECTORY.txt GROUNDTRUTH.txt SURFACE.ply [--added-from N] [--by-range] [--json]
+  evaluate_cloud.py CLOUD.ply TRAJECTORY.txt GROUNDTRUTH.txt SURFACE.ply
+                    [--added-from N] [--by-range] [--objects PREFIX] [--json]
 CLOUD: dense.ply, densified.ply or mesh.ply (its corners and points even over its triangles);
 SURFACE: of rovio_sim --surface. Prints shares within 5 cm and medians in metres; with N, of the
 points from the N-th on also how many lie within 3 % of their range: the distance to the nearest
 camera that has them in its picture (calibration.txt beside GROUNDTRUTH); --by-range: how much of
-the wanted surface lies in each metre of range, and how much of that within 5 cm of a point."""
+the wanted surface lies in each metre of range, and how much of that within 5 cm of a point;
+--objects: how much of the wanted surface of the objects whose names begin so lies within 5 cm."""
 
 import argparse
 import json
@@ -22,14 +24,24 @@ NEAR_SHARE = 0.03  # of the range
 MIN_CONTRAST = 8.0  # grey levels
 MIN_VIEWS = 3
 RANGES_M = (0, 1, 2, 3, 5, 100)
-SURFACE = numpy.dtype([("x", "<f4", 3), ("color", "u1", 3), ("contrast", "<f4"), ("views", "<u4")])
+SURFACE = numpy.dtype([("x", "<f4", 3), ("color", "u1", 3), ("contrast", "<f4"), ("views", "<u4"), ("object", "<i4")])
 
 
 def read_surface(path):
+    """The points of a true surface, and the names of the objects that they belong to."""
     header, _, body = open(path, "rb").read().partition(b"end_header\n")
-    if b"property float contrast\n" not in header:
-        raise SystemExit(f"{path}: no contrast: expected a file of rovio_sim --surface")
-    return numpy.frombuffer(body, SURFACE)
+    if b"property int object\n" not in header:
+        raise SystemExit(f"{path}: no objects: expected a file of rovio_sim --surface")
+    comments = [line.split() for line in header.decode().splitlines() if line.startswith("comment object ")]
+    return numpy.frombuffer(body, SURFACE), {int(index): name for _, _, index, name in comments}
+
+
+def on_objects(samples, names, prefix):
+    """Which points of a surface belong to objects whose names begin with a prefix."""
+    chosen = [index for index, name in names.items() if name.startswith(prefix)]
+    if not chosen:
+        raise SystemExit(f"--objects {prefix}: no object's name begins so; there are " + ", ".join(names.values()))
+    return numpy.isin(samples["object"], chosen)
 
 
 def shown_with_contrast(samples):
@@ -90,13 +102,14 @@ def measure_by_range(covered, ranges):
     return figures
 
 
-def measure(cloud, trajectory, ground_truth, surface, added_from=None, by_range=False):
+def measure(cloud, trajectory, ground_truth, surface, added_from=None, by_range=False,
+            objects=None):
     estimate, truth = read_centres(trajectory), read_centres(ground_truth)
     stamps = sorted(set(estimate) & set(truth), key=float)
     scale, rotation, shift = fit_similarity(numpy.array([estimate[s] for s in stamps]),
                                             numpy.array([truth[s] for s in stamps]))
     points = scale * read_points(cloud) @ rotation.T + shift
-    samples = read_surface(surface)
+    samples, names = read_surface(surface)
     to_surface = cKDTree(samples["x"]).query(points)[0]
     to_cloud = cKDTree(points).query(samples["x"])[0]
     wanted = shown_with_contrast(samples)
@@ -104,10 +117,14 @@ def measure(cloud, trajectory, ground_truth, surface, added_from=None, by_range=
         "points": len(points),
         "accuracy_5cm": float((to_surface < NEAR_M).mean()),
         "accuracy_median_m": float(numpy.median(to_surface)),
+        "farthest_m": float(to_surface.max()),
         "completeness_5cm": float((to_cloud[wanted] < NEAR_M).mean()),
         "completeness_5cm_whole": float((to_cloud < NEAR_M).mean()),
         "share_with_contrast": float(wanted.mean()),
     }
+    if objects is not None:
+        of_objects = wanted & on_objects(samples, names, objects)
+        figures["completeness_5cm_objects"] = float((to_cloud[of_objects] < NEAR_M).mean())
     if added_from is not None:
         ranges = ranges_of(points[added_from:], ground_truth, set(stamps))
         figures.update(measure_added(points[added_from:], to_surface[added_from:], ranges))
@@ -123,10 +140,11 @@ def main():
         parser.add_argument(name)
     parser.add_argument("--added-from", type=int, metavar="N")
     parser.add_argument("--by-range", action="store_true")
+    parser.add_argument("--objects", metavar="PREFIX")
     parser.add_argument("--json", action="store_true")
     arguments = parser.parse_args()
     figures = measure(arguments.cloud, arguments.trajectory, arguments.ground_truth, arguments.surface,
-                      arguments.added_from, arguments.by_range)
+                      arguments.added_from, arguments.by_range, arguments.objects)
     if arguments.json:
         print(json.dumps(figures))
         return

@@ -142,7 +142,6 @@ class LivePage {
     for (const {layer} of this.shownSessions.values()) all.expandByObject(this.view.layers[layer].group);
     const size = all.getSize(new THREE.Vector3());
     this.view.lookAt({center: all.getCenter(new THREE.Vector3()), size: 0.8 * Math.max(size.x, size.y, size.z)});
-    this.view.draw();
   }
 
   // Of the map that the cloud shows; those of other maps stand in "maps apart".

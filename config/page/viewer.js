@@ -96,9 +96,10 @@ class MapView {
     this.camera = new THREE.PerspectiveCamera(50, 1, 0.01, 1000);
     this.camera.up.set(0, 0, 1);
     this.controls = new THREE.OrbitControls(this.camera, canvas);
-    this.controls.addEventListener('change', () => this.draw());
+    this.controls.addEventListener('change', () => this.drawSoon());
     window.addEventListener('resize', () => this.resize());
     this.layers = {};
+    this.due = 0;  // the repaint that drawSoon waits for
   }
 
   // Replaces a layer; its switch stays as it was. Returns what holds the objects.
@@ -166,7 +167,14 @@ class MapView {
     this.draw();
   }
 
+  // Once before the next repaint, however often it is asked for.
+  drawSoon() {
+    if (!this.due) this.due = requestAnimationFrame(() => this.draw());
+  }
+
   draw() {
+    cancelAnimationFrame(this.due);
+    this.due = 0;
     this.renderer.render(this.scene, this.camera);
   }
 }

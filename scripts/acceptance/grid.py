@@ -33,7 +33,7 @@ def truth_in_map(folder, truth_folder):
     scale, rotation, shift = fit_similarity(numpy.array([truth[s] for s in stamps]), path)
     surface = WORK / f"grid/{TOUR}_surface.ply"
     run(PROGRAMS / "rovio_sim", "--surface", TOUR, "--camera", "plain", "--seed", 1, "--out", surface, "--overwrite")
-    samples = read_surface(surface)
+    samples, _ = read_surface(surface)
     world = samples["x"].astype(float)
     return scale * world @ rotation.T + shift, shown_with_contrast(samples), world[:, 2], path
 

@@ -145,7 +145,7 @@ size_t WriteTourSurface(const RenderTourOptions& options) {
   const std::vector<SurfaceSample> samples =
       SampleSurface(renderer, Simulate(options, spec), options.develop, {});
   std::ofstream file(options.out_folder, std::ios::binary);
-  file << SurfacePlyBytes(samples) << std::flush;
+  file << SurfacePlyBytes(samples, world.spec()) << std::flush;
   if (!file) throw std::runtime_error(options.out_folder + ": cannot be written");
   return samples.size();
 }

@@ -12,6 +12,11 @@ namespace {
 
 using Cube = std::array<int32_t, 3>;
 
+struct SurfacePoint {
+  Eigen::Vector3f x_in_world;
+  int object;
+};
+
 struct Picture {
   Rigid3 camera_from_world;
   cv::Mat bgr, contrast;
@@ -44,9 +49,9 @@ std::vector<Picture> RenderPictures(const ImageRenderer& renderer, const Simulat
 }
 
 // One point for each cube that a ray of any picture ends in.
-std::map<Cube, Eigen::Vector3f> CastRays(const ImageRenderer& renderer, const SimulatedTour& tour,
-                                         const SampleSurfaceOptions& options) {
-  std::map<Cube, Eigen::Vector3f> points;
+std::map<Cube, SurfacePoint> CastRays(const ImageRenderer& renderer, const SimulatedTour& tour,
+                                      const SampleSurfaceOptions& options) {
+  std::map<Cube, SurfacePoint> points;
   const Camera& camera = renderer.camera();
   for (const TourFrame& frame : tour.frames) {
     const Eigen::Vector3f centre = frame.world_from_camera.translation.cast<float>();
@@ -65,7 +70,8 @@ std::map<Cube, Eigen::Vector3f> CastRays(const ImageRenderer& renderer, const Si
           cube[static_cast<size_t>(i)] =
               static_cast<int32_t>(std::floor(point(i) / options.spacing_m));
         }
-        points.emplace(cube, point);
+        const Surface& surface = renderer.world().surfaces()[static_cast<size_t>(hit.surface)];
+        points.emplace(cube, SurfacePoint{point, surface.object});
       }
     }
   }
@@ -89,11 +95,12 @@ std::optional<cv::Point> FindPixel(const ImageRenderer& renderer, const Picture&
 }
 
 SurfaceSample Look(const ImageRenderer& renderer, const std::vector<Picture>& pictures,
-                   const Eigen::Vector3f& x_in_world) {
+                   const SurfacePoint& point) {
   SurfaceSample sample;
-  sample.x_in_world = x_in_world;
+  sample.x_in_world = point.x_in_world;
+  sample.object = point.object;
   for (const Picture& picture : pictures) {
-    const std::optional<cv::Point> pixel = FindPixel(renderer, picture, x_in_world);
+    const std::optional<cv::Point> pixel = FindPixel(renderer, picture, point.x_in_world);
     if (!pixel) continue;
     if (sample.num_views == 0) {
       const auto& bgr = picture.bgr.at<cv::Vec3b>(*pixel);
@@ -126,19 +133,22 @@ std::vector<SurfaceSample> SampleSurface(const ImageRenderer& renderer, const Si
   return samples;
 }
 
-std::string SurfacePlyBytes(const std::vector<SurfaceSample>& samples) {
+std::string SurfacePlyBytes(const std::vector<SurfaceSample>& samples, const WorldSpec& world) {
   std::string bytes =
-      "ply\nformat binary_little_endian 1.0\ncomment true surface, lengths in metres\n"
-      "element vertex " +
-      std::to_string(samples.size()) +
-      "\nproperty float x\nproperty float y\nproperty float z\n"
-      "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-      "property float contrast\nproperty uint views\nend_header\n";
+      "ply\nformat binary_little_endian 1.0\ncomment true surface, lengths in metres\n";
+  for (size_t i = 0; i < world.objects.size(); ++i) {
+    bytes += "comment object " + std::to_string(i) + " " + world.objects[i].name + "\n";
+  }
+  bytes += "element vertex " + std::to_string(samples.size()) +
+           "\nproperty float x\nproperty float y\nproperty float z\n"
+           "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+           "property float contrast\nproperty uint views\nproperty int object\nend_header\n";
   for (const SurfaceSample& sample : samples) {
     for (int i = 0; i < 3; ++i) Append(sample.x_in_world(i), &bytes);
     for (const uint8_t channel : sample.color) Append(channel, &bytes);
     Append(sample.contrast, &bytes);
     Append(sample.num_views, &bytes);
+    Append(sample.object, &bytes);
   }
   return bytes;
 }

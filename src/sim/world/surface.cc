@@ -142,15 +142,17 @@ void PlaceFace(const TexturedFace& textured, const Rigid3& world_from_object, do
   }
 }
 
-void PlaceObject(const WorldSpec& world, const ObjectSpec& object,
+void PlaceObject(const WorldSpec& world, size_t index,
                  const std::map<std::string, int>& texture_index, Rng rng,
                  std::vector<Surface>* surfaces) {
+  const ObjectSpec& object = world.objects[index];
+  const size_t num_before = surfaces->size();
   std::vector<TexturedFace> faces;
   for (const PartSpec& part : object.parts) {
-    const int index = texture_index.at(part.texture);
+    const int texture = texture_index.at(part.texture);
     for (const Face& face : PartFaces(part)) {
-      const TextureSpec& texture = world.textures[static_cast<size_t>(index)];
-      faces.push_back({face, &part, index, ChooseWindow(face, texture, object.name, rng)});
+      const TextureSpec& spec = world.textures[static_cast<size_t>(texture)];
+      faces.push_back({face, &part, texture, ChooseWindow(face, spec, object.name, rng)});
     }
   }
   for (const Rigid3& world_from_object : object.world_from_object) {
@@ -158,6 +160,9 @@ void PlaceObject(const WorldSpec& world, const ObjectSpec& object,
       const double texel_m = world.textures[static_cast<size_t>(face.texture)].texel_m;
       PlaceFace(face, world_from_object, texel_m, surfaces);
     }
+  }
+  for (size_t i = num_before; i < surfaces->size(); ++i) {
+    (*surfaces)[i].object = static_cast<int>(index);
   }
 }
 
@@ -170,8 +175,8 @@ std::vector<Surface> BuildSurfaces(const WorldSpec& world) {
   }
   std::vector<Surface> surfaces;
   Rng rng(world.seed);
-  for (const ObjectSpec& object : world.objects) {
-    PlaceObject(world, object, texture_index, rng.Fork(surfaces.size()), &surfaces);
+  for (size_t i = 0; i < world.objects.size(); ++i) {
+    PlaceObject(world, i, texture_index, rng.Fork(surfaces.size()), &surfaces);
   }
   for (const LightSpec& light : world.lights) {
     const Face face = PanelFace({1.0, light.size_m.x(), light.size_m.y()});

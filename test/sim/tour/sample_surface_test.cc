@@ -28,8 +28,19 @@ TEST(SampleSurface, IsWhatTheCamerasSeeAndCountsThem) {
   size_t seen_by_both = 0;
   for (const SurfaceSample& sample : samples) seen_by_both += sample.num_views == 2 ? 1u : 0u;
   EXPECT_GT(seen_by_both, samples.size() * 9 / 10);
-  const std::string bytes = SurfacePlyBytes(samples);
-  EXPECT_EQ(bytes.size() - bytes.find("end_header\n") - 11, samples.size() * 23);
+  size_t on_crates = 0;
+  for (const SurfaceSample& sample : samples) {
+    const Eigen::Vector3f& x = sample.x_in_world;
+    const Eigen::Array2f from_crate(x.x() - 2.0f,
+                                    std::min(std::abs(x.y() - 1.0f), std::abs(x.y() - 2.0f)));
+    const bool is_crate = (from_crate.abs() < 0.201f).all() && x.z() > 1e-4f && x.z() < 0.401f;
+    EXPECT_EQ(sample.object, is_crate ? 1 : sample.object == -1 ? -1 : 0) << x.transpose();
+    on_crates += is_crate ? 1u : 0u;
+  }
+  EXPECT_GT(on_crates, 5u);
+  const std::string bytes = SurfacePlyBytes(samples, world.spec());
+  EXPECT_EQ(bytes.size() - bytes.find("end_header\n") - 11, samples.size() * 27);
+  EXPECT_NE(bytes.find("comment object 1 crate\n"), std::string::npos);
 }
 
 }  // namespace

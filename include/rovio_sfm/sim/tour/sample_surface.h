@@ -18,6 +18,7 @@ struct SurfaceSample {
   std::array<uint8_t, 3> color{};                        // RGB, of the first picture that sees it
   float contrast = 0.0f;   // standard deviation in 9 x 9 px, grey levels, mean of the pictures
   uint32_t num_views = 0;  // pictures that see it
+  int32_t object = -1;     // index into the world's objects, or -1 for a lamp
 };
 
 struct SampleSurfaceOptions {
@@ -31,7 +32,8 @@ std::vector<SurfaceSample> SampleSurface(const ImageRenderer& renderer, const Si
                                          const DevelopOptions& develop,
                                          const SampleSurfaceOptions& options);
 
-// The bytes of a binary little-endian PLY: x y z red green blue contrast views.
-std::string SurfacePlyBytes(const std::vector<SurfaceSample>& samples);
+// The bytes of a binary little-endian PLY: x y z red green blue contrast views object; a comment
+// "object INDEX NAME" for each object of the world.
+std::string SurfacePlyBytes(const std::vector<SurfaceSample>& samples, const WorldSpec& world);
 
 }  // namespace rovio_sfm::sim

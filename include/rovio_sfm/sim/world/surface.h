@@ -14,6 +14,7 @@ struct Surface {
   std::array<Eigen::Vector3f, 4> normals;  // for shading, unit length
   std::array<Eigen::Vector2f, 4> texels;   // where the corners lie in the texture
   int texture = 0;                         // index into WorldSpec::textures, or -1 for a lamp
+  int object = -1;                         // index into WorldSpec::objects, or -1 for a lamp
   float mirror = 0.0f, gloss = 0.0f, roughness = 0.0f;
   float emission = 0.0f;  // radiance of a lamp
 };
