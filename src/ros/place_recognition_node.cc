@@ -20,6 +20,8 @@ constexpr double kWarnPeriodS = 10.0;
 constexpr size_t kBytesPerMb = 1u << 20;
 constexpr size_t kMaxFrameBytes = 128u << 20;  // queued
 constexpr size_t kMaxTold = 200;               // matches, some kB each
+constexpr double kPauseS = 0.05;               // until mapping is asked again,
+constexpr int kMaxPauses = 60;                 // at most so often for one gap
 constexpr uint32_t kServiceThreads = 1;        // calls wait for the worker one after the other
 
 // In the order of PlaceRecognitionNode::Lane. Frames dropped are counted, and fetched again; a call
@@ -99,8 +101,9 @@ void PlaceRecognitionNode::Ingest(const FrameEvent& event) {
   if (is_first) FetchKnownDrives();  // a drive may have ended while this node connected
 }
 
-// Asks mapping, which holds all, then the frontend, which holds the newest, for what lies between
-// the drive's last event and this one. What nobody has is counted, and stays missing.
+// Asks mapping, which holds all once it has taken it, then the frontend, which holds the newest,
+// for what lies between the drive's last event and this one. What nobody has is counted, and stays
+// missing.
 void PlaceRecognitionNode::FetchMissing(const FrameId& id) {
   uint32_t next = next_indices_.try_emplace(id.drive, 0).first->second;
   const HandleFrame handle = [this](const FrameEventMsg&, const FrameEvent& event) {
@@ -108,9 +111,13 @@ void PlaceRecognitionNode::FetchMissing(const FrameId& id) {
     Recognize(event);
   };
   if (next < id.index) {
-    next = FetchFrames(
+    int pauses = 0;
+    const auto pause = [&pauses] {
+      return ++pauses <= kMaxPauses && ros::WallDuration(kPauseS).sleep() && ros::ok();
+    };
+    next = FetchFramesOfFollower(
         [this](auto& request, auto& response) { return CallMapping(request, response); },
-        {id.drive, next}, id.index, handle);
+        {id.drive, next}, id.index, handle, pause);
   }
   const auto frontend = frontends_.find(id.drive.robot);
   if (next < id.index && frontend != frontends_.end()) {

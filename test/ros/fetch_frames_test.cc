@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/make_shared.hpp>
+#include <stdexcept>
 #include <vector>
 
 #include "rovio_sfm/ros/event_history.h"
@@ -93,6 +94,35 @@ TEST_F(FetchFramesTest, AnswersThatGoBackwardsEndIt) {
   };
   EXPECT_EQ(FetchFrames(odd, {kDrive, 4}, 9, Handle()), 6u);
   EXPECT_EQ(num_calls_, 1);
+}
+
+TEST_F(FetchFramesTest, FollowerIsAskedAgainUntilItHasTakenTheFrameAfterTheGap) {
+  for (uint32_t i = 0; i < 5; ++i) history_.Add(Message(i));
+  uint32_t taken = 5;
+  const auto pause = [&] {
+    history_.Add(Message(taken++));
+    return true;
+  };
+  EXPECT_EQ(FetchFramesOfFollower(Call(), {kDrive, 3}, 8, Handle(), pause), 8u);
+  EXPECT_EQ(handled_, (std::vector<uint32_t>{3, 4, 5, 6, 7}));
+}
+
+TEST_F(FetchFramesTest, FollowerThatIsPastTheGapIsAskedOnce) {
+  for (const uint32_t i : {3u, 5u, 8u}) history_.Add(Message(i));
+  const auto pause = []() -> bool { throw std::logic_error("nothing more will come"); };
+  EXPECT_EQ(FetchFramesOfFollower(Call(), {kDrive, 3}, 8, Handle(), pause), 6u);
+  EXPECT_EQ(handled_, (std::vector<uint32_t>{3, 5}));
+}
+
+TEST_F(FetchFramesTest, FollowerIsWaitedForNoLongerThanTheCallerWill) {
+  history_.Add(Message(3));
+  int num_pauses = 0;
+  const auto pause = [&] { return ++num_pauses < 4; };
+  EXPECT_EQ(FetchFramesOfFollower(Call(), {kDrive, 3}, 8, Handle(), pause), 4u);
+  EXPECT_EQ(num_pauses, 4);
+  const CallGetFrames dead = [](GetFramesRequest&, GetFramesResponse&) { return false; };
+  EXPECT_EQ(FetchFramesOfFollower(dead, {kDrive, 3}, 8, Handle(), pause), 3u);
+  EXPECT_EQ(num_pauses, 4);
 }
 
 }  // namespace

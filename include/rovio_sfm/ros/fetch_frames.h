@@ -20,4 +20,10 @@ using HandleFrame = std::function<void(const FrameEventMsg&, const FrameEvent&)>
 uint32_t FetchFrames(const CallGetFrames& call, const FrameId& first, uint32_t end,
                      const HandleFrame& handle);
 
+// As FetchFrames, of a node that may not have taken all that the caller has heard of: asked again,
+// with a pause before, until it holds frame `end` itself, does not answer, or `pause` says false.
+// What is missing then was never there.
+uint32_t FetchFramesOfFollower(const CallGetFrames& call, const FrameId& first, uint32_t end,
+                               const HandleFrame& handle, const std::function<bool()>& pause);
+
 }  // namespace rovio_sfm
