@@ -4,7 +4,7 @@ the trajectories:
   evaluate_cloud.py CLOUD.ply TRAJECTORY.txt GROUNDTRUTH.txt SURFACE.ply
                     [--added-from N] [--by-range] [--objects PREFIX] [--json]
 CLOUD: dense.ply, densified.ply or mesh.ply (its corners and points even over its triangles);
-SURFACE: of rovio_sim --surface. Prints shares within 5 cm and medians in metres; with N, of the
+SURFACE: of rovio_sim --surface. Prints shares within 5 cm, the median and the farthest in metres; with N, of the
 points from the N-th on also how many lie within 3 % of their range: the distance to the nearest
 camera that has them in its picture (calibration.txt beside GROUNDTRUTH); --by-range: how much of
 the wanted surface lies in each metre of range, and how much of that within 5 cm of a point;

@@ -101,30 +101,30 @@ void PlaceRecognitionNode::Ingest(const FrameEvent& event) {
   if (is_first) FetchKnownDrives();  // a drive may have ended while this node connected
 }
 
-// Asks mapping, which holds all once it has taken it, then the frontend, which holds the newest,
-// for what lies between the drive's last event and this one. What nobody has is counted, and stays
-// missing.
+// Asks mapping, which holds all that it has taken, then the frontend, which holds the newest, for
+// what lies between the drive's last event and this one; then waits for mapping. What nobody has is
+// counted, and stays missing.
 void PlaceRecognitionNode::FetchMissing(const FrameId& id) {
   uint32_t next = next_indices_.try_emplace(id.drive, 0).first->second;
   const HandleFrame handle = [this](const FrameEventMsg&, const FrameEvent& event) {
     ++num_fetched_;
     Recognize(event);
   };
-  if (next < id.index) {
-    int pauses = 0;
-    const auto pause = [&pauses] {
-      return ++pauses <= kMaxPauses && ros::WallDuration(kPauseS).sleep() && ros::ok();
-    };
-    next = FetchFramesOfFollower(
-        [this](auto& request, auto& response) { return CallMapping(request, response); },
-        {id.drive, next}, id.index, handle, pause);
-  }
+  const CallGetFrames mapping = [this](auto& request, auto& response) {
+    return CallMapping(request, response);
+  };
+  if (next < id.index) next = FetchFrames(mapping, {id.drive, next}, id.index, handle);
   const auto frontend = frontends_.find(id.drive.robot);
   if (next < id.index && frontend != frontends_.end()) {
-    FetchFrames(
+    next = FetchFrames(
         [&](auto& request, auto& response) { return frontend->second.call(request, response); },
         {id.drive, next}, id.index, handle);
   }
+  int pauses = 0;
+  const auto pause = [&pauses] {
+    return ++pauses <= kMaxPauses && ros::WallDuration(kPauseS).sleep() && ros::ok();
+  };
+  FetchFramesOfFollower(mapping, {id.drive, next}, id.index, handle, pause);
 }
 
 bool PlaceRecognitionNode::CallMapping(GetFramesRequest& request, GetFramesResponse& response) {

@@ -12,11 +12,6 @@ namespace {
 
 using Cube = std::array<int32_t, 3>;
 
-struct SurfacePoint {
-  Eigen::Vector3f x_in_world;
-  int object;
-};
-
 struct Picture {
   Rigid3 camera_from_world;
   cv::Mat bgr, contrast;
@@ -48,10 +43,10 @@ std::vector<Picture> RenderPictures(const ImageRenderer& renderer, const Simulat
   return pictures;
 }
 
-// One point for each cube that a ray of any picture ends in.
-std::map<Cube, SurfacePoint> CastRays(const ImageRenderer& renderer, const SimulatedTour& tour,
-                                      const SampleSurfaceOptions& options) {
-  std::map<Cube, SurfacePoint> points;
+// One sample for each cube that a ray of any picture ends in: where it lies, and on what.
+std::map<Cube, SurfaceSample> CastRays(const ImageRenderer& renderer, const SimulatedTour& tour,
+                                       const SampleSurfaceOptions& options) {
+  std::map<Cube, SurfaceSample> samples;
   const Camera& camera = renderer.camera();
   for (const TourFrame& frame : tour.frames) {
     const Eigen::Vector3f centre = frame.world_from_camera.translation.cast<float>();
@@ -70,12 +65,14 @@ std::map<Cube, SurfacePoint> CastRays(const ImageRenderer& renderer, const Simul
           cube[static_cast<size_t>(i)] =
               static_cast<int32_t>(std::floor(point(i) / options.spacing_m));
         }
-        const Surface& surface = renderer.world().surfaces()[static_cast<size_t>(hit.surface)];
-        points.emplace(cube, SurfacePoint{point, surface.object});
+        SurfaceSample sample;
+        sample.x_in_world = point;
+        sample.object = renderer.world().surfaces()[static_cast<size_t>(hit.surface)].object;
+        samples.emplace(cube, sample);
       }
     }
   }
-  return points;
+  return samples;
 }
 
 // The pixel of a point that the picture sees; nothing of others.
@@ -94,13 +91,11 @@ std::optional<cv::Point> FindPixel(const ImageRenderer& renderer, const Picture&
   return pixel;
 }
 
+// Adds what the pictures see of it.
 SurfaceSample Look(const ImageRenderer& renderer, const std::vector<Picture>& pictures,
-                   const SurfacePoint& point) {
-  SurfaceSample sample;
-  sample.x_in_world = point.x_in_world;
-  sample.object = point.object;
+                   SurfaceSample sample) {
   for (const Picture& picture : pictures) {
-    const std::optional<cv::Point> pixel = FindPixel(renderer, picture, point.x_in_world);
+    const std::optional<cv::Point> pixel = FindPixel(renderer, picture, sample.x_in_world);
     if (!pixel) continue;
     if (sample.num_views == 0) {
       const auto& bgr = picture.bgr.at<cv::Vec3b>(*pixel);
@@ -127,8 +122,8 @@ std::vector<SurfaceSample> SampleSurface(const ImageRenderer& renderer, const Si
                                          const SampleSurfaceOptions& options) {
   const std::vector<Picture> pictures = RenderPictures(renderer, tour, develop);
   std::vector<SurfaceSample> samples;
-  for (const auto& [cube, point] : CastRays(renderer, tour, options)) {
-    samples.push_back(Look(renderer, pictures, point));
+  for (const auto& [cube, sample] : CastRays(renderer, tour, options)) {
+    samples.push_back(Look(renderer, pictures, sample));
   }
   return samples;
 }

@@ -125,7 +125,7 @@ Surface PlaceQuad(const Quad& quad, const Rigid3& world_from_part, const Vector2
 struct TexturedFace {
   Face face;
   const PartSpec* part;
-  int texture;
+  int texture, object;
   Vector2f window;
 };
 
@@ -135,6 +135,7 @@ void PlaceFace(const TexturedFace& textured, const Rigid3& world_from_object, do
   for (const Quad& quad : textured.face.quads) {
     Surface surface = PlaceQuad(quad, world_from_part, textured.window, texel_m);
     surface.texture = textured.texture;
+    surface.object = textured.object;
     surface.mirror = static_cast<float>(textured.part->mirror);
     surface.gloss = static_cast<float>(textured.part->gloss);
     surface.roughness = static_cast<float>(textured.part->roughness);
@@ -146,13 +147,13 @@ void PlaceObject(const WorldSpec& world, size_t index,
                  const std::map<std::string, int>& texture_index, Rng rng,
                  std::vector<Surface>* surfaces) {
   const ObjectSpec& object = world.objects[index];
-  const size_t num_before = surfaces->size();
   std::vector<TexturedFace> faces;
   for (const PartSpec& part : object.parts) {
     const int texture = texture_index.at(part.texture);
     for (const Face& face : PartFaces(part)) {
       const TextureSpec& spec = world.textures[static_cast<size_t>(texture)];
-      faces.push_back({face, &part, texture, ChooseWindow(face, spec, object.name, rng)});
+      faces.push_back({face, &part, texture, static_cast<int>(index),
+                       ChooseWindow(face, spec, object.name, rng)});
     }
   }
   for (const Rigid3& world_from_object : object.world_from_object) {
@@ -160,9 +161,6 @@ void PlaceObject(const WorldSpec& world, size_t index,
       const double texel_m = world.textures[static_cast<size_t>(face.texture)].texel_m;
       PlaceFace(face, world_from_object, texel_m, surfaces);
     }
-  }
-  for (size_t i = num_before; i < surfaces->size(); ++i) {
-    (*surfaces)[i].object = static_cast<int>(index);
   }
 }
 
