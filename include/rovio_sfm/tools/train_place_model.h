@@ -21,7 +21,7 @@ struct TrainPlacesOptions {
   int max_cluster_features = 250'000;
   ChowLiuOptions tree;
   SecondLookOptions second_look;
-  double p_z_given_e = 0.05;  // of the detector; 0: what second looks say
+  double p_z_given_e = 0.03;  // of the detector; 0: what second looks say
   uint64_t seed = 1;
 
   void DescribeOptions(OptionTable& table) {
