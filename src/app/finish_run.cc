@@ -1,8 +1,10 @@
 #include "rovio_sfm/app/finish_run.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 
 #include "rovio_sfm/app/output_folder.h"
@@ -105,7 +107,21 @@ void Tell(const RunToFinish& finish, const MapRun& run, const std::vector<Writte
   if (!run.left_out.empty()) out << "left out:\n" << ReasonTable(run.left_out);
 }
 
-int StatusOf(const MapRun& run, const std::vector<WrittenMap>& maps, std::ostream& out) {
+// Why no map was started, by figures, in one sentence.
+std::string WhyNothing(const MapRun& run, const BootstrapOptions& start) {
+  if (run.frontend.keyframes == 0) return "the reasons stand above";
+  if (run.funnel.pairs == 0) return "no two of them were compared";
+  const auto pairs = static_cast<double>(run.funnel.pairs);
+  std::ostringstream why;
+  why << "each shows " << std::lround(static_cast<double>(run.funnel.features) / pairs)
+      << " features and shares " << std::lround(static_cast<double>(run.funnel.guided) / pairs)
+      << " points with the one before it, in the mean; a map starts from two that share "
+      << start.min_inliers << " from places far enough apart (bootstrap.min_inliers)";
+  return why.str();
+}
+
+int StatusOf(const RunToFinish& finish, const std::vector<WrittenMap>& maps, std::ostream& out) {
+  const MapRun& run = finish.run;
   if (run.stopped) {
     out << "stopped by a signal: " << run.frontend.images << " of " << run.num_images
         << " images were looked at\n";
@@ -113,10 +129,7 @@ int StatusOf(const MapRun& run, const std::vector<WrittenMap>& maps, std::ostrea
   }
   if (!maps.empty()) return 0;
   out << "no image was registered: of " << run.num_images << " images " << run.frontend.keyframes
-      << " became keyframes, and "
-      << (run.frontend.keyframes == 0 ? "the reasons stand above"
-                                      : "no two of them show enough common points from places far "
-                                        "enough apart")
+      << " became keyframes; " << WhyNothing(run, finish.arguments->mapper.mapper.bootstrap)
       << "\n";
   return kNothingRegistered;
 }
@@ -159,7 +172,7 @@ int FinishRun(RunToFinish finish, const Json& header, std::ostream& out) {
   Complete(finish, &finish.run);
   maps = WriteResults(finish, finish.run, header, formats, Overwrite::kAllow);
   Tell(finish, finish.run, maps, out);
-  return StatusOf(finish.run, maps, out);
+  return StatusOf(finish, maps, out);
 }
 
 }  // namespace rovio_sfm

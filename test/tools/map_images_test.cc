@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "rovio_sfm/io/text_file.h"
 #include "tools/command_line.h"
@@ -10,15 +11,27 @@
 namespace rovio_sfm {
 namespace {
 
-// A folder of grey images: nothing to see, nothing to map.
-void WriteGreyFolder(const TemporaryFolder& folder) {
+// A drive of two images, a and b.
+void WriteDrive(const TemporaryFolder& folder, const cv::Mat& a, const cv::Mat& b) {
   folder.Write("drive/calibration.txt", "100 100 80 60 0 0 0 0 0 160 120\n");
   folder.Write("drive/times.txt", "0 images/a.png\n1 images/b.png\n");
   folder.Write("drive/images/a.png", "");
+  cv::imwrite((folder.Path() / "drive/images/a.png").string(), a);
+  cv::imwrite((folder.Path() / "drive/images/b.png").string(), b);
+}
+
+// Grey images: nothing to see, nothing to map.
+void WriteGreyFolder(const TemporaryFolder& folder) {
   const cv::Mat grey(120, 160, CV_8UC3, cv::Scalar::all(128));
-  for (const char* name : {"a", "b"}) {
-    cv::imwrite((folder.Path() / "drive/images" / (std::string(name) + ".png")).string(), grey);
-  }
+  WriteDrive(folder, grey, grey);
+}
+
+// A wall of squares, each of a grey level of its own.
+cv::Mat Squares(uint64_t seed) {
+  cv::Mat levels(12, 16, CV_8UC1), image;
+  cv::RNG(seed).fill(levels, cv::RNG::UNIFORM, 0, 256);
+  cv::resize(levels, image, {160, 120}, 0, 0, cv::INTER_NEAREST);
+  return image;
 }
 
 TEST(MapImagesCommand, WritesASummaryEvenWhereNothingCanBeMapped) {
@@ -34,6 +47,19 @@ TEST(MapImagesCommand, WritesASummaryEvenWhereNothingCanBeMapped) {
   EXPECT_EQ(json["registered"], 0);
   EXPECT_THROW(RunCommand(MapImagesCommand, {folder.Path() / "drive", "--out", out}, &printed),
                std::runtime_error);
+}
+
+TEST(MapImagesCommand, SaysHowMuchTheImagesSharedWhereNoMapStarts) {
+  const TemporaryFolder folder;
+  WriteDrive(folder, Squares(1), Squares(2));
+  const std::string out = folder.Path() / "out";
+  std::string printed;
+  ASSERT_EQ(RunCommand(MapImagesCommand, {folder.Path() / "drive", "--out", out}, &printed), 2);
+  EXPECT_NE(printed.find("of 2 images 2 became keyframes; each shows "), std::string::npos)
+      << printed;
+  EXPECT_NE(printed.find(" features and shares 0 points with the one before it"), std::string::npos)
+      << printed;
+  EXPECT_NE(printed.find("two that share 100 "), std::string::npos) << printed;
 }
 
 TEST(MapImagesCommand, RefusesBadArguments) {
