@@ -90,7 +90,7 @@ def export_from_clients(env):
     """Failed calls of each client."""
     script = ("import rospy\nfrom rovio_sfm.srv import ExportMap\n"
               "call = rospy.ServiceProxy('/export_map', ExportMap)\n"
-              f"print(sum(call(0, 'same', True).status.code != 0 for _ in range({CALLS})))\n")
+              f"print(sum(call(name='same', overwrite=True).status.code != 0 for _ in range({CALLS})))\n")
     clients = [subprocess.Popen([str(DEVEL / "env.sh"), "/usr/bin/python3", "-c", script], env=env, text=True,
                                 stdout=subprocess.PIPE) for _ in range(CLIENTS)]
     said = [client.communicate(timeout=PATIENCE_S)[0].strip() for client in clients]

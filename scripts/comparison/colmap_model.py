@@ -13,8 +13,9 @@ def rotation(w, x, y, z):
 
 
 class TextModel:
-    """poses: name -> w x y z, t of camera from map; views: point's id -> how many see it. Residuals by
-    projection: in the image (px), and behind undistortion on the plane z = 1; point_of: whose they are."""
+    """poses: name -> w x y z, t of camera from map; views: point's id -> how many see it; points_of: name -> ids of
+    what it sees. Residuals by projection: in the image (px), and behind undistortion on the plane z = 1; point_of: whose
+    they are."""
 
     def __init__(self, folder):
         cameras, images, points = (self.rows(folder / f"{name}.txt") for name in ("cameras", "images", "points3D"))
@@ -25,11 +26,13 @@ class TextModel:
         words = [line.split() for line in points]
         self.points = {int(w[0]): numpy.array(w[1:4], float) for w in words}
         self.views = {int(w[0]): (len(w) - 8) // 2 for w in words}
-        self.poses, parts = {}, []
+        self.poses, self.points_of, parts = {}, {}, []
         for pose, features in zip(images[::2], images[1::2]):
             numbers = [float(word) for word in pose.split()[1:8]]
-            self.poses[pose.split()[9]] = numbers
+            name = pose.split()[9]
+            self.poses[name] = numbers
             parts.append(self.residuals(numbers, numpy.array(features.split(), float).reshape(-1, 3)))
+            self.points_of[name] = parts[-1][2]
         self.in_image, self.in_plane, self.point_of = (numpy.concatenate(part) for part in zip(*parts))
 
     @staticmethod
