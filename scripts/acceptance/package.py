@@ -1,6 +1,8 @@
 """The third stage's line about a package that others build, and cameras that are no Rovio's."""
 
 import json
+import pathlib
+import tempfile
 
 from acceptance.common import ROOT, Line, fresh_folder, run
 from acceptance.users import case, ended, judge, program
@@ -29,8 +31,13 @@ def workspaces():
 
 def built_and_installed():
     """A user's build (no -Werror, no tests) of all programs, installed, and run where the sources are not
-    mentioned."""
-    build, prefix = fresh_folder("package/build"), fresh_folder("package/install")
+    mentioned. Installed outside the repository, where roslaunch would find each launch file twice."""
+    with tempfile.TemporaryDirectory() as prefix:
+        return installed_into(pathlib.Path(prefix))
+
+
+def installed_into(prefix):
+    build = fresh_folder("package/build")
     run("cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DCATKIN_ENABLE_TESTING=OFF",
         f"-DCATKIN_DEVEL_PREFIX={build / 'devel'}", f"-DCMAKE_INSTALL_PREFIX={prefix}")
     run("cmake", "--build", build, timeout_s=4 * 3600)
@@ -40,7 +47,7 @@ def built_and_installed():
                 if str(ROOT).encode() in path.read_bytes()]
     problems += [f"{name} is not installed" for name in INSTALLED if not (programs / name).exists()]
     headers = {path.name for path in (prefix / "include").rglob("*.h")}
-    messages = {path.stem for folder in ("msg", "srv") for path in (ROOT / folder).iterdir()}
+    messages = {path.stem for folder in ("msg", "srv", "action") for path in (ROOT / folder).iterdir()}
     problems += [f"header {name} is installed" for name in sorted(headers)
                  if not any(name.startswith(message) for message in messages)]
     problems += run_installed(prefix)
