@@ -12,6 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "test/ros")]
 
 import numpy  # noqa: E402  (after the path is set)
+import rosgraph  # noqa: E402
 import rospy  # noqa: E402
 from driver_fixture import wait_until  # noqa: E402
 from rovio_sfm.msg import FrameEventMsg, MapStatus  # noqa: E402
@@ -58,15 +59,19 @@ def has_window():
                           check=False).stdout != b""
 
 
+def launch(*words):
+    return subprocess.Popen(["roslaunch", "rovio_sfm", *words], start_new_session=True, stdout=subprocess.DEVNULL)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("picture", type=pathlib.Path)
     parser.add_argument("--robots", default="north,south,east,west")
     arguments = parser.parse_args()
     robots = arguments.robots.split(",")
-    nodes = [subprocess.Popen(command, start_new_session=True, stdout=subprocess.DEVNULL) for command in (
-        ["roslaunch", "rovio_sfm", "mapping.launch", f"robots:=[{arguments.robots}]"],
-        ["roslaunch", "rovio_sfm", "view.launch", f"robot:={robots[-1]}"])]
+    nodes = [launch("mapping.launch", f"robots:=[{arguments.robots}]")]
+    wait_until(rosgraph.is_master_online, WAIT_S)  # two at once would both start a master, and one ends
+    nodes.append(launch("view.launch", f"robot:={robots[-1]}"))
     try:
         rospy.init_node("rviz_view", disable_signals=True)
         status = drive(robots)
