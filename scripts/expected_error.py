@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """What error the observations of a map allow, whatever solves for it:
   expected_error.py MODEL [--sigma-px S] [--json]
-MODEL: colmap_text/sparse/0 of an export; lengths are in its units. The adjustment is linearised at
-the map, poses and points free, each coordinate of a feature off by S px (by default what the residuals tell), the
-points eliminated, the seven freedoms of a similarity left out. Prints the expected RMSE of the camera centres after
-one similarity, how much of it the greatest mode has, and for each two drives the sigma of the scale of one to the
-other. Two programs whose maps differ by less than that differ by chance."""
+MODEL: colmap_text/sparse/0 of an export; lengths are in its units. The adjustment is linearised at the map, poses and
+points free, each coordinate of a feature off by S px (by default what the residuals tell), the points eliminated, the
+seven freedoms of a similarity left out; the focal length is the mean of both, distortion is left out. Prints the
+expected RMSE of the camera centres after one similarity, how much of it the greatest mode has, and for each two drives
+the sigma of the scale of one to the other. Where the errors of two programs differ by less, chance may be all."""
 
 import argparse
 import itertools
@@ -35,7 +35,7 @@ def observations_of(model):
     """By point: (camera's number, Jacobian by its rotation and centre, 2x6, and by the point, 2x3), in pixels."""
     names, found = sorted(model.poses), {}
     for number, name in enumerate(names):
-        pose = numpy.array(model.poses[name])
+        pose = model.poses[name]
         turn = rotation(*pose[:4])
         for point in model.points_of[name]:
             x = turn @ model.points[point] + pose[4:]
@@ -46,7 +46,7 @@ def observations_of(model):
 
 
 def camera_information(num_cameras, observations):
-    """6n x 6n, the points eliminated (Schur's complement), for a noise of one pixel; and how many points there are."""
+    """6n x 6n, the points eliminated (Schur's complement), for a noise of one pixel."""
     information = numpy.zeros((6 * num_cameras, 6 * num_cameras))
     for views in observations.values():
         rows = numpy.concatenate([numpy.arange(6 * number, 6 * number + 6) for number, _, _ in views])
@@ -84,8 +84,7 @@ def expected_error(model, sigma_px=None):
     covariance = sigma_px ** 2 * (vectors[:, FREEDOMS:] / values[FREEDOMS:]) @ vectors[:, FREEDOMS:].T
     of_centres = (numpy.arange(6 * len(names)).reshape(-1, 6)[:, 3:]).ravel()
     covariance = covariance[numpy.ix_(of_centres, of_centres)]
-    poses = [numpy.array(model.poses[name]) for name in names]
-    centres = numpy.array([-rotation(*pose[:4]).T @ pose[4:] for pose in poses])
+    centres = numpy.array([-rotation(*pose[:4]).T @ pose[4:] for pose in (model.poses[name] for name in names)])
     motions = similarity_motions(centres)
     kept = numpy.eye(len(motions)) - motions @ motions.T
     modes = numpy.linalg.eigvalsh(kept @ covariance @ kept)

@@ -70,9 +70,10 @@ def main():
     arguments = parser.parse_args()
     robots = arguments.robots.split(",")
     nodes = [launch("mapping.launch", f"robots:=[{arguments.robots}]")]
-    wait_until(rosgraph.is_master_online, WAIT_S)  # two at once would both start a master, and one ends
-    nodes.append(launch("view.launch", f"robot:={robots[-1]}"))
     try:
+        if not wait_until(rosgraph.is_master_online, WAIT_S):  # two at once would both start one, and one ends
+            raise RuntimeError("mapping.launch has started no master")
+        nodes.append(launch("view.launch", f"robot:={robots[-1]}"))
         rospy.init_node("rviz_view", disable_signals=True)
         status = drive(robots)
         if not wait_until(has_window, WAIT_S):
