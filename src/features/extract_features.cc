@@ -39,6 +39,10 @@ Described ExtractSift(const cv::Mat& grey, const ExtractOptions& options) {
   described.keypoints =
       SelectKeypoints(FindSiftKeypoints(octaves, {options.sift_contrast, options.sift_edge}),
                       grey.size(), SelectOptionsFrom(options));
+  if (options.fill_with_corners) {
+    FillWith(FindCorners(octaves.front(), options.min_distance_px), grey.size(),
+             SelectOptionsFrom(options), &described.keypoints);
+  }
   OrientSift(octaves, &described.keypoints);
   described.descriptors = RootSiftFromSift(DescribeSift(octaves, described.keypoints));
   return described;

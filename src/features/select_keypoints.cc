@@ -110,4 +110,15 @@ std::vector<cv::KeyPoint> SelectKeypoints(const std::vector<cv::KeyPoint>& candi
   return chosen;
 }
 
+void FillWith(const std::vector<cv::KeyPoint>& more, const cv::Size& image_size,
+              const SelectOptions& options, std::vector<cv::KeyPoint>* keypoints) {
+  Occupancy occupancy(image_size, options.min_distance_px);
+  for (const cv::KeyPoint& keypoint : *keypoints) occupancy.TryInsert(keypoint.pt);
+  for (const cv::KeyPoint& keypoint : more) {
+    if (keypoints->size() >= static_cast<size_t>(options.max_keypoints)) return;
+    if (!IsInside(keypoint, image_size, options.border_px)) continue;
+    if (occupancy.TryInsert(keypoint.pt)) keypoints->push_back(keypoint);
+  }
+}
+
 }  // namespace rovio_sfm

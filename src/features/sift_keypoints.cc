@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <optional>
 
 namespace rovio_sfm {
@@ -13,6 +14,8 @@ constexpr int kNumDifferences = kSiftLayers + 2;
 constexpr int kMaxSteps = 5;        // of a refinement, from pixel to pixel
 constexpr float kMaxOffset = 1e6f;  // pixels; beyond there is no extremum
 constexpr float kFullContrast = 255.0f;
+constexpr double kCornerQuality = 1e-3;  // least, of the strongest corner's
+constexpr int kCornerWindow = 7;         // side, pixels of its octave
 
 using Row = Eigen::ArrayXf;
 
@@ -204,6 +207,26 @@ std::vector<cv::KeyPoint> FindSiftKeypoints(const std::vector<SiftOctave>& octav
       keypoint->octave = static_cast<int>(i);
       keypoints.push_back(*keypoint);
     }
+  }
+  return keypoints;
+}
+
+std::vector<cv::KeyPoint> FindCorners(const SiftOctave& finest, double min_distance_px) {
+  constexpr int kLayer = 1;
+  const cv::Mat& image = finest.images[kLayer];
+  std::vector<cv::Point2f> corners;
+  cv::goodFeaturesToTrack(image, corners, 0, kCornerQuality,
+                          min_distance_px / double{finest.pixel_px}, {}, kCornerWindow);
+  if (corners.empty()) return {};
+  const cv::Size half_window(kCornerWindow / 2, kCornerWindow / 2);
+  cv::cornerSubPix(image, corners, half_window, {-1, -1},
+                   {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 20, 0.01});
+  std::vector<cv::KeyPoint> keypoints;
+  for (const cv::Point2f& corner : corners) {
+    const GridPoint pixel{kLayer, static_cast<int>(corner.y), static_cast<int>(corner.x)};
+    const Eigen::Vector3f offset(corner.x - static_cast<float>(pixel.x),
+                                 corner.y - static_cast<float>(pixel.y), 0.0f);
+    keypoints.push_back(KeypointAt(finest, pixel, offset, 0.0f));
   }
   return keypoints;
 }

@@ -1,5 +1,6 @@
 #include "rovio_sfm/finish/gather_features.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -42,11 +43,12 @@ void Append(const FrameFeatures& from, size_t index, FrameFeatures* features) {
 FrameFeatures GatherFeatures(const FrameFeatures& stored, const std::vector<uint8_t>* picture,
                              const Camera& camera, const GatherOptions& options) {
   FrameFeatures gathered = stored;
-  const bool is_full = stored.keypoints.size() >= static_cast<size_t>(options.max_features);
-  if (picture == nullptr || is_full) return gathered;
+  if (picture == nullptr) return gathered;
   ExtractOptions extract = options.extract;
   extract.type = stored.descriptors.type;
-  extract.max_features = options.max_features;
+  extract.max_features =
+      std::max(options.max_features, 2 * static_cast<int>(stored.keypoints.size()));
+  extract.fill_with_corners = true;
   const cv::Mat bgr = Decode(*picture, camera, options.max_pixels);
   const FrameFeatures found = ExtractFeatures(Denoise(bgr, options.denoise), camera, extract);
   for (size_t i = 0; i < found.keypoints.size(); ++i) {

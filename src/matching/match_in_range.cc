@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "rovio_sfm/matching/descriptor_distance.h"
 #include "rovio_sfm/matching/filter_matches.h"
@@ -25,6 +26,9 @@ struct Stretch {
     const Eigen::Vector2d offset = x - begin;
     return (offset - std::clamp(offset.dot(direction), 0.0, length) * direction).norm();
   }
+
+  double LeastY() const { return std::min(begin.y(), begin.y() + length * direction.y()); }
+  double GreatestY() const { return std::max(begin.y(), begin.y() + length * direction.y()); }
 };
 
 std::optional<Stretch> StretchOf(const Eigen::Vector2d& x_in_b, const DepthRange& range,
@@ -40,6 +44,7 @@ std::optional<Stretch> StretchOf(const Eigen::Vector2d& x_in_b, const DepthRange
   return stretch;
 }
 
+// From the least y on.
 std::vector<Candidate> FreeFeatures(const FrameFeatures& a,
                                     const std::vector<FeatureMatch>& known) {
   const std::vector<bool> used = UsedFeatures(a.keypoints.size(), known, &FeatureMatch::a);
@@ -47,27 +52,39 @@ std::vector<Candidate> FreeFeatures(const FrameFeatures& a,
   for (uint32_t i = 0; i < a.keypoints.size(); ++i) {
     if (!used[i]) free.push_back({i, a.keypoints[i].x_normalized});
   }
+  std::sort(free.begin(), free.end(), [](const Candidate& one, const Candidate& other) {
+    return std::make_pair(one.x_normalized.y(), one.index) <
+           std::make_pair(other.x_normalized.y(), other.index);
+  });
   return free;
 }
 
 struct Search {
   const Descriptors& a;
   const Descriptors& b;
-  const std::vector<Candidate>& free;
-  double band = 0.0;  // on the plane z = 1
+  const std::vector<Candidate>& free;  // from the least y on
+  double band = 0.0;                   // on the plane z = 1
   float max_distance = 0.0f;
   float max_ratio = 1.0f;
 };
 
 std::optional<FeatureMatch> FindInStretch(const Search& search, const Stretch& stretch,
                                           uint32_t index_b) {
-  FeatureMatch best{0, index_b, std::numeric_limits<float>::infinity(), 1.0f};
+  FeatureMatch best{UINT32_MAX, index_b, std::numeric_limits<float>::infinity(), 1.0f};
   float second = std::numeric_limits<float>::infinity();
-  for (const Candidate& candidate : search.free) {
-    if (stretch.DistanceTo(candidate.x_normalized) > search.band) continue;
-    const float distance = DescriptorDistance(search.a, candidate.index, search.b, index_b);
+  const auto is_above = [](const Candidate& candidate, double y) {
+    return candidate.x_normalized.y() < y;
+  };
+  const double least_y = stretch.LeastY() - search.band;
+  const double greatest_y = stretch.GreatestY() + search.band;
+  auto at = std::lower_bound(search.free.begin(), search.free.end(), least_y, is_above);
+  for (; at != search.free.end() && at->x_normalized.y() <= greatest_y; ++at) {
+    if (stretch.DistanceTo(at->x_normalized) > search.band) continue;
+    const float distance = DescriptorDistance(search.a, at->index, search.b, index_b);
     second = std::min(second, std::max(distance, best.distance));
-    if (distance < best.distance) best.a = candidate.index, best.distance = distance;
+    if (std::make_pair(distance, at->index) < std::make_pair(best.distance, best.a)) {
+      best.a = at->index, best.distance = distance;
+    }
   }
   if (!(best.distance <= search.max_distance)) return std::nullopt;
   if (best.distance > search.max_ratio * second) return std::nullopt;

@@ -55,6 +55,20 @@ TEST(SelectKeypoints, SpreadsOnlyTheStrongestCandidates) {
   EXPECT_EQ(chosen[1].pt, cv::Point2f(20, 20));
 }
 
+TEST(FillWith, TakesInOrderWhatLiesApartUntilItIsFull) {
+  SelectOptions options;
+  options.max_keypoints = 4;
+  std::vector<cv::KeyPoint> keypoints = {At(50, 50, 1)};
+  FillWith({At(51, 50, 9), At(1, 50, 9), At(80, 50, 1), At(80.5f, 50, 5), At(90, 50, 1),
+            At(10, 10, 1), At(20, 20, 1)},
+           cv::Size(200, 200), options, &keypoints);
+  ASSERT_EQ(keypoints.size(), 4u);
+  EXPECT_EQ(keypoints[0].pt, cv::Point2f(50, 50));
+  EXPECT_EQ(keypoints[1].pt, cv::Point2f(80, 50));
+  EXPECT_EQ(keypoints[2].pt, cv::Point2f(90, 50));
+  EXPECT_EQ(keypoints[3].pt, cv::Point2f(10, 10));
+}
+
 TEST(SelectKeypoints, OfNoneIsNone) {
   EXPECT_TRUE(SelectKeypoints({}, cv::Size(200, 200), {}).empty());
 }

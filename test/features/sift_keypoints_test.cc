@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <opencv2/features2d.hpp>
+#include <set>
+#include <utility>
 
 #include "features/test_images.h"
 
@@ -64,6 +66,45 @@ TEST(FindSiftKeypoints, LeavesEdgesOut) {
   cv::Mat edge(100, 100, CV_8U, cv::Scalar(40));
   edge.colRange(50, 100).setTo(200);
   EXPECT_TRUE(FindSiftKeypoints(BuildSiftOctaves(edge, true), {0.02, 10.0}).empty());
+}
+
+// Squares of 20 px: their corners lie at 20 k - 0.5.
+cv::Mat Checkerboard() {
+  cv::Mat board(120, 160, CV_8U, cv::Scalar(60));
+  for (int y = 0; y < board.rows; ++y) {
+    for (int x = 0; x < board.cols; ++x) {
+      if ((x / 20 + y / 20) % 2 == 0) board.at<uint8_t>(y, x) = 190;
+    }
+  }
+  return board;
+}
+
+constexpr size_t kNumInnerCorners = 7 * 5;
+
+class FindCornersTest : public testing::Test {
+ protected:
+  const std::vector<SiftOctave> octaves_ = BuildSiftOctaves(Checkerboard(), true);
+};
+
+TEST_F(FindCornersTest, FindsEachCornerExactly) {
+  const auto corners = FindCorners(octaves_.front(), 2.0);
+  std::set<std::pair<float, float>> inner;
+  for (const cv::KeyPoint& corner : corners) {
+    const float column = std::round((corner.pt.x + 0.5f) / 20.0f);
+    const float row = std::round((corner.pt.y + 0.5f) / 20.0f);
+    if (column < 1.0f || column > 7.0f || row < 1.0f || row > 5.0f) continue;
+    EXPECT_NEAR(corner.pt.x, 20.0f * column - 0.5f, 0.05f);
+    EXPECT_NEAR(corner.pt.y, 20.0f * row - 0.5f, 0.05f);
+    inner.emplace(column, row);
+  }
+  EXPECT_EQ(inner.size(), kNumInnerCorners);
+}
+
+TEST_F(FindCornersTest, FindsNothingOnPlainSurfacesAndEdges) {
+  cv::Mat picture(100, 100, CV_8U, cv::Scalar(120));
+  EXPECT_TRUE(FindCorners(BuildSiftOctaves(picture, true).front(), 2.0).empty());
+  picture.colRange(50, 100).setTo(200);
+  EXPECT_TRUE(FindCorners(BuildSiftOctaves(picture, true).front(), 2.0).empty());
 }
 
 }  // namespace

@@ -37,12 +37,24 @@ TEST_F(GatherFeaturesTest, FindsNothingTwice) {
   }
 }
 
-TEST_F(GatherFeaturesTest, KeepsTheStoredOnesWithoutPictureOrWhereTheyFillTheBudget) {
-  const size_t count = stored_.keypoints.size();
-  EXPECT_EQ(GatherFeatures(stored_, nullptr, SmallCamera(), {}).keypoints.size(), count);
+TEST_F(GatherFeaturesTest, KeepsTheStoredOnesWithoutPicture) {
+  EXPECT_EQ(GatherFeatures(stored_, nullptr, SmallCamera(), {}).keypoints.size(),
+            stored_.keypoints.size());
+}
+
+TEST_F(GatherFeaturesTest, LooksForTwiceTheStoredOnesWhereTheyFillTheBudget) {
   GatherOptions options;
-  options.max_features = static_cast<int>(count);
-  EXPECT_EQ(GatherFeatures(stored_, &picture_, SmallCamera(), options).keypoints.size(), count);
+  options.max_features = static_cast<int>(stored_.keypoints.size());
+  const size_t count = GatherFeatures(stored_, &picture_, SmallCamera(), options).keypoints.size();
+  EXPECT_GT(count, 3 * stored_.keypoints.size() / 2);
+  EXPECT_LE(count, 3 * stored_.keypoints.size());
+}
+
+TEST_F(GatherFeaturesTest, FillsTheBudgetWithCornersWhereExtremaAreFew) {
+  GatherOptions options;
+  options.extract.sift_contrast = 0.2;  // no extremum of the wall has so much
+  const size_t count = GatherFeatures(stored_, &picture_, SmallCamera(), options).keypoints.size();
+  EXPECT_GT(count, 3 * stored_.keypoints.size());
 }
 
 TEST_F(GatherFeaturesTest, RefusesAPictureOfAnotherSize) {

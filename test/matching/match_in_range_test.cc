@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "matching/camera_pair.h"
 
 namespace rovio_sfm {
@@ -52,6 +55,32 @@ TEST_F(MatchInRangeTest, FindsNothingElsewhere) {
 TEST_F(MatchInRangeTest, RefusesWhatLooksOtherThanTheKnownOnes) {
   for (size_t i = 64; i < 128; ++i) a_.descriptors.data[i] = 120;
   EXPECT_TRUE(Match({4.5, 5.5}).empty());
+}
+
+// Whichever way the line runs: each of many points that look alike in pairs has one partner in its
+// range.
+TEST(MatchInRange, FindsEveryPointOfManyForAnyDirection) {
+  constexpr uint32_t kNumPoints = 300;
+  for (const double angle : {0.0, 0.6, 1.5707963, 2.8}) {
+    FrameFeatures a, b;
+    a.descriptors.type = b.descriptors.type = DescriptorType::kSurf;
+    a.descriptors.length = b.descriptors.length = 64;
+    Rigid3 b_from_a;
+    b_from_a.translation = {std::cos(angle), std::sin(angle), 0.1};
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> place(-0.8, 0.8), depth(4.0, 9.0);
+    std::vector<DepthRange> ranges;
+    for (uint32_t i = 0; i < kNumPoints; ++i) {
+      const Eigen::Vector3d x = depth(random) * Eigen::Vector3d(place(random), place(random), 1.0);
+      AddFeature(x, static_cast<uint8_t>(i % 150), &a);
+      AddFeature(b_from_a * x, static_cast<uint8_t>(i % 150), &b);
+      const double z = (b_from_a * x).z();
+      ranges.push_back({z / 1.01, z * 1.01});
+    }
+    const auto found = MatchInRange(a, b, b_from_a, ranges, kKnown, kFocalPx, {});
+    EXPECT_GT(found.size(), kNumPoints - 15);  // some twins lie in one range
+    for (const FeatureMatch& match : found) EXPECT_EQ(match.a, match.b);
+  }
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ struct ExtractOptions {
   int cell_px = 48;
   double min_distance_px = 2.0;
   int border_px = 3;
+  bool fill_with_corners = false;  // SIFT: where the extrema do not fill max_features; no option
 
   void DescribeOptions(OptionTable& table) {
     table.AddChoice("type", type,

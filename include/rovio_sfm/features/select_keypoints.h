@@ -20,4 +20,9 @@ struct SelectOptions {
 std::vector<cv::KeyPoint> SelectKeypoints(const std::vector<cv::KeyPoint>& candidates,
                                           const cv::Size& image_size, const SelectOptions& options);
 
+// Puts those of `more` behind the keypoints, in their order, that are neither near to one before
+// nor to the edge, until there are max_keypoints.
+void FillWith(const std::vector<cv::KeyPoint>& more, const cv::Size& image_size,
+              const SelectOptions& options, std::vector<cv::KeyPoint>* keypoints);
+
 }  // namespace rovio_sfm

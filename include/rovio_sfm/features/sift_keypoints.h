@@ -18,4 +18,9 @@ struct SiftKeypointOptions {
 std::vector<cv::KeyPoint> FindSiftKeypoints(const std::vector<SiftOctave>& octaves,
                                             const SiftKeypointOptions& options);
 
+// The corners (Shi and Tomasi 1994) of the finest octave, the strongest first, for pictures whose
+// extrema do not suffice: refined below a pixel, with the scale of that octave's first image with
+// features. Two may be refined to one place.
+std::vector<cv::KeyPoint> FindCorners(const SiftOctave& finest, double min_distance_px);
+
 }  // namespace rovio_sfm
