@@ -39,7 +39,8 @@ Described ExtractSift(const cv::Mat& grey, const ExtractOptions& options) {
   described.keypoints =
       SelectKeypoints(FindSiftKeypoints(octaves, {options.sift_contrast, options.sift_edge}),
                       grey.size(), SelectOptionsFrom(options));
-  if (options.fill_with_corners) {
+  if (options.fill_with_corners &&
+      described.keypoints.size() < static_cast<size_t>(options.max_features)) {
     FillWith(FindCorners(octaves.front(), options.min_distance_px), grey.size(),
              SelectOptionsFrom(options), &described.keypoints);
   }

@@ -223,10 +223,7 @@ std::vector<cv::KeyPoint> FindCorners(const SiftOctave& finest, double min_dista
                    {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 20, 0.01});
   std::vector<cv::KeyPoint> keypoints;
   for (const cv::Point2f& corner : corners) {
-    const GridPoint pixel{kLayer, static_cast<int>(corner.y), static_cast<int>(corner.x)};
-    const Eigen::Vector3f offset(corner.x - static_cast<float>(pixel.x),
-                                 corner.y - static_cast<float>(pixel.y), 0.0f);
-    keypoints.push_back(KeypointAt(finest, pixel, offset, 0.0f));
+    keypoints.push_back(KeypointAt(finest, {kLayer, 0, 0}, {corner.x, corner.y, 0.0f}, 0.0f));
   }
   return keypoints;
 }

@@ -68,6 +68,7 @@ struct Search {
   float max_ratio = 1.0f;
 };
 
+// Of equally near ones the first.
 std::optional<FeatureMatch> FindInStretch(const Search& search, const Stretch& stretch,
                                           uint32_t index_b) {
   FeatureMatch best{UINT32_MAX, index_b, std::numeric_limits<float>::infinity(), 1.0f};

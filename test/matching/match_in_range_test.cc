@@ -17,9 +17,6 @@ const std::vector<FeatureMatch> kKnown = {{0, 0, 8.0f, 0.5f}};
 class MatchInRangeTest : public testing::Test {
  protected:
   MatchInRangeTest() {
-    a_.descriptors.type = b_.descriptors.type = DescriptorType::kSurf;
-    a_.descriptors.length = b_.descriptors.length = 64;
-    b_from_a_.translation = {-1.0, 0.0, 0.0};
     const Eigen::Vector3d known(1.0, 1.0, 4.0), far(0.0, 0.0, 5.0);
     AddFeature(known, 0, &a_);
     AddFeature(far, 101, &a_);
@@ -32,8 +29,9 @@ class MatchInRangeTest : public testing::Test {
     return MatchInRange(a_, b_, b_from_a_, {{}, range}, kKnown, kFocalPx, {});
   }
 
-  FrameFeatures a_, b_;
-  Rigid3 b_from_a_;
+  CameraPair pair_ = SideBySide();
+  FrameFeatures &a_ = pair_.a, &b_ = pair_.b;
+  Rigid3& b_from_a_ = pair_.b_from_a;
 };
 
 TEST_F(MatchInRangeTest, FindsWhatLiesInTheRange) {
@@ -62,10 +60,7 @@ TEST_F(MatchInRangeTest, RefusesWhatLooksOtherThanTheKnownOnes) {
 TEST(MatchInRange, FindsEveryPointOfManyForAnyDirection) {
   constexpr uint32_t kNumPoints = 300;
   for (const double angle : {0.0, 0.6, 1.5707963, 2.8}) {
-    FrameFeatures a, b;
-    a.descriptors.type = b.descriptors.type = DescriptorType::kSurf;
-    a.descriptors.length = b.descriptors.length = 64;
-    Rigid3 b_from_a;
+    auto [a, b, b_from_a] = SideBySide();
     b_from_a.translation = {std::cos(angle), std::sin(angle), 0.1};
     std::mt19937 random(7);
     std::uniform_real_distribution<double> place(-0.8, 0.8), depth(4.0, 9.0);

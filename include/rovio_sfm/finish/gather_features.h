@@ -13,7 +13,7 @@ namespace rovio_sfm {
 struct GatherOptions {
   int64_t max_pixels = 32'000'000;  // larger pictures are refused
   DenoiseOptions denoise;
-  ExtractOptions extract;   // type and budget are set
+  ExtractOptions extract;   // type, budget and corners are set
   int max_features = 4000;  // of a picture (§3.9), or twice the stored ones where that is more
   double min_distance_px = 2.0;  // a found feature nearer to a stored one is left out
 };
