@@ -12,6 +12,8 @@ from typing import Callable, NamedTuple
 
 import yaml
 
+from demo_graph import free_ports
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 BUILD = pathlib.Path(os.environ.get("ROVIO_SFM_BUILD", ROOT / "build"))
 DEVEL = (ROOT if BUILD == ROOT / "build" else BUILD) / "devel"
@@ -115,9 +117,7 @@ def render_into(folders, fingerprint, tour, seed, max_frames):
 
 
 def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
+    return free_ports(1)
 
 
 class Simulator:

@@ -28,12 +28,11 @@ std::optional<ImageEvent> ImageGate::Take(double now_s) {
   return robot_->MakeEvent(image);
 }
 
-bool ImageGate::IsReady(const Entry& entry, double now_s) {
+bool ImageGate::IsReady(const Entry& entry, double now_s) const {
   const bool is_starting = now_s - *first_s_ < options_.startup_wait_s;
   if (!is_starting && now_s - entry.arrived_s >= options_.max_wait_s) return true;
-  const bool knows_head = robot_->KnowsHead(entry.image);
-  has_seen_head_ = has_seen_head_ || knows_head;
-  const bool expects_head = !knows_head && (has_seen_head_ || is_starting);
+  const bool expects_head =
+      !robot_->KnowsHead(entry.image) && (robot_->HasHead(entry.image) || is_starting);
   const bool expects_odometry =
       !robot_->OdometryCovers(entry.image) && (robot_->HasOdometry() || is_starting);
   return !expects_head && !expects_odometry;

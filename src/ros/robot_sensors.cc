@@ -41,6 +41,12 @@ bool RobotSensors::OdometryCovers(const RawImage& image) const {
   return odometry_.Covers(image.stamp_ns - DurationNs(options_.image_latency_s));
 }
 
+bool RobotSensors::HasHead(const RawImage& image) const {
+  const std::string& camera_frame = CameraFrameOf(image);
+  return !camera_frame.empty() &&
+         transforms_->canTransform(options_.base_frame, camera_frame, ros::Time());
+}
+
 bool RobotSensors::KnowsHead(const RawImage& image) const { return HeadAt(image).has_value(); }
 
 const std::string& RobotSensors::CameraFrameOf(const RawImage& image) const {

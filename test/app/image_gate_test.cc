@@ -7,22 +7,24 @@ namespace {
 
 constexpr int64_t kSecondNs = 1000000000;
 
-// A robot whose odometry reaches up to a stamp.
+// A robot whose odometry and whose head's pose reach up to a stamp each.
 class FakeRobot : public RobotKnowledge {
  public:
   bool HasCamera() const override { return true; }
   bool HasOdometry() const override { return newest_ns_ > 0; }
   bool OdometryCovers(const RawImage& image) const override { return newest_ns_ >= image.stamp_ns; }
-  bool KnowsHead(const RawImage&) const override { return knows_head_; }
+  bool HasHead(const RawImage&) const override { return newest_head_ns_ > 0; }
+  bool KnowsHead(const RawImage& image) const override { return newest_head_ns_ >= image.stamp_ns; }
   ImageEvent MakeEvent(const RawImage& image) const override {
     ImageEvent event;
     event.name = image.name;
     if (OdometryCovers(image)) event.odometry = OdometrySample{};
+    if (KnowsHead(image)) event.base_from_camera = Rigid3{};
     return event;
   }
 
   int64_t newest_ns_ = 0;
-  bool knows_head_ = false;
+  int64_t newest_head_ns_ = 0;
 };
 
 class ImageGateTest : public testing::Test {
@@ -34,14 +36,14 @@ class ImageGateTest : public testing::Test {
   }
 
   void AddOdometry(int64_t second) { robot_.newest_ns_ = second * kSecondNs; }
-  void AddHead() { robot_.knows_head_ = true; }
+  void AddHead(int64_t second) { robot_.newest_head_ns_ = second * kSecondNs; }
 
   FakeRobot robot_;
   ImageGate gate_;
 };
 
 TEST_F(ImageGateTest, CompleteImageGoesAtOnce) {
-  AddHead();
+  AddHead(100);
   AddOdometry(100);
   gate_.Add(Image(100), 0.0);
   const auto event = gate_.Take(0.0);
@@ -51,7 +53,7 @@ TEST_F(ImageGateTest, CompleteImageGoesAtOnce) {
 }
 
 TEST_F(ImageGateTest, ImageWaitsForOdometryUpToItsStamp) {
-  AddHead();
+  AddHead(101);
   AddOdometry(99);
   gate_.Add(Image(100), 0.0);
   EXPECT_FALSE(gate_.Take(0.1));
@@ -60,7 +62,7 @@ TEST_F(ImageGateTest, ImageWaitsForOdometryUpToItsStamp) {
 }
 
 TEST_F(ImageGateTest, ImageWaitsNotForEver) {
-  AddHead();
+  AddHead(101);
   AddOdometry(99);
   gate_.Add(Image(100), 5.0);
   gate_.Add(Image(101), 7.0);
@@ -75,6 +77,20 @@ TEST_F(ImageGateTest, WithoutOdometryAndHeadOnlyTheStartWaits) {
   EXPECT_TRUE(gate_.Take(1.0));
   gate_.Add(Image(101), 1.1);
   EXPECT_TRUE(gate_.Take(1.1));
+}
+
+// On a slow machine the first pose comes long after the first image, and each after its image.
+TEST_F(ImageGateTest, ImageWaitsForAHeadThatFirstCameLate) {
+  AddOdometry(200);
+  gate_.Add(Image(100), 0.0);
+  EXPECT_TRUE(gate_.Take(1.5));
+  AddHead(100);
+  gate_.Add(Image(101), 2.0);
+  EXPECT_FALSE(gate_.Take(2.0));
+  AddHead(101);
+  const auto event = gate_.Take(2.1);
+  ASSERT_TRUE(event);
+  EXPECT_TRUE(event->base_from_camera);
 }
 
 TEST_F(ImageGateTest, OldestIsDroppedWhenFull) {

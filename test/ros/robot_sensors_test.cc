@@ -18,12 +18,14 @@ class RobotSensorsTest : public testing::Test {
     image_.name = "7";
   }
 
-  void AddHead() {
+  // Known at every stamp, or at one alone.
+  void AddHead(bool is_static = true, int64_t stamp_ns = 0) {
     geometry_msgs::TransformStamped head;
+    head.header.stamp = ToTime(stamp_ns);
     head.header.frame_id = "base_link";
     head.child_frame_id = "camera_optical";
     head.transform = ToTransform({Eigen::Quaterniond::Identity(), {0.1, 0.2, 0.3}});
-    transforms_.setTransform(head, "test", true);
+    transforms_.setTransform(head, "test", is_static);
   }
 
   RobotSensors Sensors() const {
@@ -53,7 +55,15 @@ TEST_F(RobotSensorsTest, EventHoldsOdometryAndHeadAtTheStamp) {
   EXPECT_DOUBLE_EQ(event.base_from_camera->translation.y(), 0.2);
 }
 
+TEST_F(RobotSensorsTest, HeadOfAnotherStampIsThereButNotKnown) {
+  AddHead(false, image_.stamp_ns - kSecondNs);
+  EXPECT_TRUE(Sensors().HasHead(image_));
+  EXPECT_FALSE(Sensors().KnowsHead(image_));
+  EXPECT_FALSE(Sensors().MakeEvent(image_).base_from_camera);
+}
+
 TEST_F(RobotSensorsTest, UnknownHeadStaysUnknown) {
+  EXPECT_FALSE(Sensors().HasHead(image_));
   EXPECT_FALSE(Sensors().KnowsHead(image_));
   EXPECT_FALSE(Sensors().MakeEvent(image_).base_from_camera);
 }

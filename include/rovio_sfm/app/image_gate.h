@@ -40,6 +40,8 @@ class RobotKnowledge {
 
   virtual bool HasCamera() const = 0;
   virtual bool HasOdometry() const = 0;
+  // True if the head's pose is known at any stamp, be it after the image's or long before.
+  virtual bool HasHead(const RawImage& image) const = 0;
   // True if later odometry or transforms would not add to what is known at the image's stamp.
   virtual bool OdometryCovers(const RawImage& image) const = 0;
   virtual bool KnowsHead(const RawImage& image) const = 0;
@@ -70,14 +72,13 @@ class ImageGate {
     double arrived_s = 0.0;
   };
 
-  bool IsReady(const Entry& entry, double now_s);
+  bool IsReady(const Entry& entry, double now_s) const;
   size_t NumBytes() const;
 
   GateOptions options_;
   const RobotKnowledge* robot_;
   std::deque<Entry> waiting_;
   std::optional<double> first_s_;
-  bool has_seen_head_ = false;
   uint64_t num_dropped_ = 0;
 };
 

@@ -29,6 +29,7 @@ class RobotSensors : public RobotKnowledge {
 
   bool HasCamera() const override { return camera_.has_value(); }
   bool HasOdometry() const override { return !odometry_.IsEmpty(); }
+  bool HasHead(const RawImage& image) const override;
   bool OdometryCovers(const RawImage& image) const override;
   bool KnowsHead(const RawImage& image) const override;
   ImageEvent MakeEvent(const RawImage& image) const override;
