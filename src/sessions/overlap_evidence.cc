@@ -100,6 +100,13 @@ bool IsPlainFromAside(const EvidenceVerdict& figures, const OverlapEvidence& evi
          figures.wide_share >= options.min_wide_share && !evidence.neighbour_log_scales.empty();
 }
 
+// Without odometry one view may fit a session of nearly pure rotation at a scale that no other has.
+bool IsScaleKnown(const OverlapEvidence& evidence, const EvidenceOptions& options) {
+  return evidence.sigma_log_scale == 0.0 ||
+         (evidence.sigma_log_scale <= options.max_sigma_log_scale &&
+          !evidence.neighbour_log_scales.empty());
+}
+
 // What speaks against the overlap first: what refutes it, then what is missing.
 EvidenceReason Weigh(const EvidenceVerdict& figures, const OverlapEvidence& evidence,
                      const EvidenceOptions& options) {
@@ -124,7 +131,7 @@ EvidenceReason Weigh(const EvidenceVerdict& figures, const OverlapEvidence& evid
   if (share_is_known && figures.matched_share < options.min_matched_share) {
     return EvidenceReason::kLowShare;
   }
-  if (evidence.sigma_log_scale > options.max_sigma_log_scale) return EvidenceReason::kScaleUnknown;
+  if (!IsScaleKnown(evidence, options)) return EvidenceReason::kScaleUnknown;
   if (figures.log_scale_gap > options.max_log_scale_gap) {
     return EvidenceReason::kNeighboursDisagree;
   }
@@ -176,6 +183,9 @@ std::string Describe(const EvidenceVerdict& verdict, const OverlapEvidence& evid
     case EvidenceReason::kAbsent:
       return "only " + DescribeShare(evidence);
     case EvidenceReason::kScaleUnknown:
+      if (evidence.sigma_log_scale <= options.max_sigma_log_scale) {
+        return "no neighbouring frame tells the scale";
+      }
       return "the scale is known to " + Rounded(100.0 * evidence.sigma_log_scale) + " % only";
     case EvidenceReason::kNeighboursDisagree:
     case EvidenceReason::kNeighboursContradict:

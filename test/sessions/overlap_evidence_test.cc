@@ -145,6 +145,7 @@ TEST(JudgeOverlap, AsksTheNeighboursForTheScale) {
 
 TEST(JudgeOverlap, HoldsBackAScaleThatIsHardlyKnown) {
   OverlapEvidence evidence = CompleteEvidence();
+  evidence.neighbour_log_scales = {0.01, -0.02};
   evidence.sigma_log_scale = 0.029;
   EXPECT_EQ(JudgeOverlap(evidence, {}).verdict, MergeVerdict::kAccepted);
   evidence.sigma_log_scale = 0.067;
@@ -152,6 +153,17 @@ TEST(JudgeOverlap, HoldsBackAScaleThatIsHardlyKnown) {
   EXPECT_EQ(verdict.verdict, MergeVerdict::kProvisional);
   EXPECT_EQ(verdict.reason, EvidenceReason::kScaleUnknown);
   EXPECT_EQ(verdict.text, "the scale is known to 6.7 % only");
+}
+
+TEST(JudgeOverlap, HoldsBackAScaleThatOneFrameAloneTells) {
+  OverlapEvidence evidence = CompleteEvidence();
+  evidence.sigma_log_scale = 0.01;
+  const EvidenceVerdict verdict = JudgeOverlap(evidence, {});
+  EXPECT_EQ(verdict.verdict, MergeVerdict::kProvisional);
+  EXPECT_EQ(verdict.reason, EvidenceReason::kScaleUnknown);
+  EXPECT_EQ(verdict.text, "no neighbouring frame tells the scale");
+  evidence.sigma_log_scale = 0.0;  // told by odometry
+  EXPECT_EQ(JudgeOverlap(evidence, {}).verdict, MergeVerdict::kAccepted);
 }
 
 TEST(EvidenceOptions, NameWhatIsOutOfRange) {
