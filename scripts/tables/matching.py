@@ -75,7 +75,7 @@ def after_the_map(scope):
     """Table 3.6, in kind: with the poses known no RANSAC is left to filter by."""
     rows = [("thesis, sift", "6706", "1555 of a neighbouring pair", None, None, None),
             ("thesis, surf", "4225", "999 of a neighbouring pair", None, None, None)]
-    for name in ("sift", "surf"):
+    for name in settings.FEATURES:
         setting = settings.Setting(settings.feature(name).frontend, {}, settings.DENSIFIED.words)
         s = scope.map(TOUR, setting).summary
         d, images = s["densified"], s["registered_keyframes"]
