@@ -5,7 +5,7 @@ add_test(NAME shell_test COMMAND ${PROJECT_SOURCE_DIR}/test/scripts/shell_test.p
 add_test(NAME check_format COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_format)
 add_test(NAME check_docs COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_docs)
 
-foreach(SCRIPT demo expected_error teleop_keys workspace)
+foreach(SCRIPT demo expected_error stamp_delay teleop_keys workspace)
   add_test(NAME ${SCRIPT}_test COMMAND ${PROJECT_SOURCE_DIR}/test/scripts/${SCRIPT}_test.py)
 endforeach()
 
