@@ -42,9 +42,7 @@ bool RobotSensors::OdometryCovers(const RawImage& image) const {
 }
 
 bool RobotSensors::HasHead(const RawImage& image) const {
-  const std::string& camera_frame = CameraFrameOf(image);
-  return !camera_frame.empty() &&
-         transforms_->canTransform(options_.base_frame, camera_frame, ros::Time());
+  return HasTransform(CameraFrameOf(image), ros::Time());  // the newest
 }
 
 bool RobotSensors::KnowsHead(const RawImage& image) const { return HeadAt(image).has_value(); }
@@ -53,12 +51,17 @@ const std::string& RobotSensors::CameraFrameOf(const RawImage& image) const {
   return options_.camera_frame.empty() ? image.camera_frame : options_.camera_frame;
 }
 
+// tf2 complains aloud about empty names.
+bool RobotSensors::HasTransform(const std::string& camera_frame, const ros::Time& time) const {
+  return !camera_frame.empty() &&
+         transforms_->canTransform(options_.base_frame, camera_frame, time);
+}
+
 std::optional<Rigid3> RobotSensors::HeadAt(const RawImage& image) const {
   const std::string& camera_frame = CameraFrameOf(image);
   const int64_t taken_ns = image.stamp_ns - DurationNs(options_.image_latency_s);
   const ros::Time taken = ToTime(taken_ns);
-  if (camera_frame.empty()) return std::nullopt;  // tf2 complains aloud about empty names
-  if (!transforms_->canTransform(options_.base_frame, camera_frame, taken)) return std::nullopt;
+  if (!HasTransform(camera_frame, taken)) return std::nullopt;
   try {
     std::string error;
     return FromTransform(

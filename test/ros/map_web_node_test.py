@@ -6,7 +6,6 @@ import http.client
 import json
 import os
 import signal
-import socket
 import subprocess
 import sys
 import unittest
@@ -18,7 +17,9 @@ import rostest
 from rovio_sfm.msg import FrameEventMsg
 from sensor_msgs.msg import CompressedImage, Image
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [HERE, os.path.join(HERE, "../../scripts")]
+from demo_graph import free_ports
 from driver_fixture import program, wait_until
 from synthetic_drives import NUM_CAMERAS, World
 
@@ -26,17 +27,11 @@ WAIT_S = 90.0  # sanitizers and busy machines take their time
 TOKEN = "0123456789abcdef"
 
 
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
-
-
 class Page:
     """A map_web of its own, and a client of it."""
 
     def __init__(self, name, *parameters):
-        self.port, self.since = free_port(), {}
+        self.port, self.since = free_ports(1), {}
         rospy.set_param("/%s/robots" % name, ["rovio1", "rovio2"])
         self.process = subprocess.Popen([program("map_web"), "__name:=" + name, "_port:=%d" % self.port,
                                          *parameters])

@@ -4,8 +4,8 @@
 program_refusals_test.py FOLDER, where FOLDER holds the programs."""
 
 import os
+import pathlib
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
@@ -13,6 +13,11 @@ import threading
 import time
 import unittest
 import xmlrpc.client
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+sys.dont_write_bytecode = True
+
+from demo_graph import free_ports  # noqa: E402  (after the path is set)
 
 PROGRAMS = sys.argv.pop(1) if len(sys.argv) > 1 else ""
 NOWHERE = "/nowhere/at_all"
@@ -48,12 +53,6 @@ TOOLS = {
 }
 
 
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
-
-
 def environment(port):
     """Messages are read from a pipe: unbuffered, without colours."""
     return dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{port}",
@@ -65,7 +64,7 @@ class Master:
     """A ROS master alone, without roslaunch."""
 
     def __enter__(self):
-        self.port = free_port()
+        self.port = free_ports(1)
         self.process = subprocess.Popen(
             ["rosmaster", "--core", "-p", str(self.port)], env=environment(self.port),
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -150,7 +149,7 @@ class ProgramRefusalsTest(unittest.TestCase):
             for number in (signal.SIGINT, signal.SIGTERM):
                 with self.subTest(program, signal=number):
                     node = subprocess.Popen([os.path.join(PROGRAMS, program)],
-                                            env=environment(free_port()), text=True,
+                                            env=environment(free_ports(1)), text=True,
                                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
                     line = node.stdout.readline()
                     self.assertIn("waiting for the ROS master at http://127.0.0.1", line)

@@ -39,7 +39,8 @@ class StampDelay(unittest.TestCase):
                 database.execute("INSERT INTO keyframe VALUES (?)", (number,))
 
     def run_script(self):
-        return subprocess.run([SCRIPT, self.folder, self.truth, "--most", "30", "--step", "10"], capture_output=True, text=True, check=False)
+        return subprocess.run([SCRIPT, self.folder, self.truth, "--most", "30", "--step", "10"],
+                              capture_output=True, text=True, check=False)
 
     def test_finds_the_delay_and_what_is_left(self):
         said = self.run_script()

@@ -36,6 +36,7 @@ class RobotSensors : public RobotKnowledge {
 
  private:
   const std::string& CameraFrameOf(const RawImage& image) const;
+  bool HasTransform(const std::string& camera_frame, const ros::Time& time) const;
   std::optional<Rigid3> HeadAt(const RawImage& image) const;
 
   SensorOptions options_;
