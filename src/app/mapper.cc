@@ -97,10 +97,24 @@ void Mapper::AddSeeded(const std::vector<FrameEvent>& events,
 }
 
 bool Mapper::Rejoin(const FrameEvent& event, const PlaceMatch& place) {
-  const Session* session =
-      RejoinFrame(event, place, options_, *context_.store, context_.times, keeper_.LendSessions());
+  const Session* session = RejoinFrame(
+      event, place, options_, *context_.store, context_.times,
+      [this](const Session& of) { return SiblingsOf(of); }, keeper_.LendSessions());
   if (session != nullptr) rejoined_.insert(session->id());
   return session != nullptr;
+}
+
+std::vector<Sibling> Mapper::SiblingsOf(const Session& session) const {
+  const MapPlace place = keeper_.PlaceOf(session.id());
+  std::vector<Sibling> siblings;
+  for (const auto& [id, other] : keeper_.sessions().all()) {
+    const MapPlace its = keeper_.PlaceOf(id);
+    if (id == session.id() || !(other->drive() == session.drive()) || !(its.map == place.map)) {
+      continue;
+    }
+    siblings.push_back({other.get(), Inverse(place.map_from_session) * its.map_from_session});
+  }
+  return siblings;
 }
 
 MergeReport Mapper::Merge(SessionId a, SessionId b, bool force) {

@@ -158,8 +158,8 @@ void OfflineMapper::Map(const FrameEvent& event) {
 }
 
 // Frames between sessions, and those that tracking dropped, once all that may show their places is
-// mapped.
-void OfflineMapper::RejoinLost() {
+// mapped. The light ones, on which nothing hangs, come last: when the landmarks are at rest.
+void OfflineMapper::RejoinLost(FrameKind kind) {
   if (kept_ == nullptr) return;
   for (const auto& [drive, next_index] : mapper_.NextIndices()) {
     const auto kept = kept_before_.find(drive);
@@ -168,16 +168,17 @@ void OfflineMapper::RejoinLost() {
     for (const uint32_t index : kept_->frames().ReadIndices(drive)) {
       if (!IsHeld({drive, index}, mapper_.maps().sessions())) lost.push_back(index);
     }
-    RejoinLost(drive, lost);
+    RejoinLost(kind, drive, lost);
   }
 }
 
-// In rounds, as each keyframe that joins brings landmarks that others may show; light frames last.
-void OfflineMapper::RejoinLost(const DriveId& drive, std::vector<uint32_t> lost) {
-  std::map<uint32_t, PlaceMatch> places = PlacesOf(lost, drive);
+// Keyframes in rounds, as each that joins brings landmarks that others may show.
+void OfflineMapper::RejoinLost(FrameKind kind, const DriveId& drive, std::vector<uint32_t> lost) {
+  const bool is_light = kind == FrameKind::kLight;
+  std::map<uint32_t, PlaceMatch> places;
+  if (!is_light) places = PlacesOf(lost, drive);
   const size_t num_lost = lost.size();
-  for (int round = 0; round <= kRejoinRounds && HasTimeToMap(); ++round) {
-    const FrameKind kind = round < kRejoinRounds ? FrameKind::kKeyframe : FrameKind::kLight;
+  for (int round = 0; round < (is_light ? 1 : kRejoinRounds) && HasTimeToMap(); ++round) {
     const auto joins = [&](uint32_t index) {
       const auto event = kept_->frames().ReadEvent({drive, index}, EventParts::kBare);
       return event && event->kind == kind && mapper_.Rejoin(*event, places[index]);
@@ -275,8 +276,9 @@ std::shared_ptr<const MapSnapshot> OfflineMapper::Finish() {
   const std::shared_ptr<const MapSnapshot> drained = Drain();
   if (localizer_) return drained;
   mapper_.FinishDrives();
-  RejoinLost();
+  RejoinLost(FrameKind::kKeyframe);
   mapper_.Finish();
+  RejoinLost(FrameKind::kLight);
   if (kept_ != nullptr) mapper_.SaveTo(kept_);
   return mapper_.Snapshot();
 }

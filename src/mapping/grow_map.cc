@@ -50,12 +50,22 @@ void JoinTracks(uint32_t frame, const TrackOfFeature& shown, const FilterF2Optio
   LinkTracks(f2, &links, session);
 }
 
-bool RejoinKeyframe(const FrameEvent& event, const TrackOfFeature& shown,
-                    const MapperOptions& options, Session* session) {
-  std::vector<PoseObservation> observations;
+bool RejoinKeyframe(const FrameEvent& event, const PlaceMatch& place, const TrackOfFeature& shown,
+                    const MapperOptions& options, const std::vector<Sibling>& siblings,
+                    Session* session) {
+  std::map<uint32_t, Eigen::Vector3d> positions;  // by feature
   for (const auto& [feature, track] : shown) {
-    observations.push_back(
-        ObserveLandmark(event, feature, session->landmarks().at(track).position, options));
+    positions.emplace(feature, session->landmarks().at(track).position);
+  }
+  for (const Sibling& sibling : siblings) {
+    for (const auto& [feature, track] : LandmarksShown(event, place, *sibling.session)) {
+      const Eigen::Vector3d& position = sibling.session->landmarks().at(track).position;
+      positions.emplace(feature, sibling.session_from_sibling * position);
+    }
+  }
+  std::vector<PoseObservation> observations;
+  for (const auto& [feature, position] : positions) {
+    observations.push_back(ObserveLandmark(event, feature, position, options));
   }
   const auto registration = RegisterObservations(observations, event.id.index, options);
   if (!registration) return false;
@@ -65,9 +75,10 @@ bool RejoinKeyframe(const FrameEvent& event, const TrackOfFeature& shown,
   return true;
 }
 
-bool RejoinLightFrame(const FrameEvent& event, const MapperOptions& options, Session* session) {
+bool RejoinLightFrame(const FrameEvent& event, const MapperOptions& options,
+                      const std::vector<Sibling>& siblings, Session* session) {
   LightFrame frame = MakeLightFrame(event);
-  if (!PoseLightFrame(event.id.index, {}, options, &frame, *session)) return false;
+  if (!PoseLightFrame(event.id.index, {}, options, &frame, *session, siblings)) return false;
   session->AddLightFrame(event.id.index, std::move(frame));
   return true;
 }
@@ -98,7 +109,8 @@ MapGrowth GrowMap(uint32_t frame, const MapperOptions& options, const FrameStore
 }
 
 Session* RejoinFrame(const FrameEvent& event, const PlaceMatch& place, const MapperOptions& options,
-                     const FrameStore& store, StageTimes* times, SessionTable* sessions) {
+                     const FrameStore& store, StageTimes* times, const SiblingsOf& siblings_of,
+                     SessionTable* sessions) {
   std::vector<std::pair<TrackOfFeature, Session*>> ranked;
   for (const auto& [id, session] : sessions->all()) {
     if (!(session->drive() == event.id.drive)) continue;
@@ -107,12 +119,17 @@ Session* RejoinFrame(const FrameEvent& event, const PlaceMatch& place, const Map
   }
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
-  for (const auto& [shown, session] : ranked) {
-    if (event.kind == FrameKind::kLight) {
-      if (RejoinLightFrame(event, options, session)) return session;
-    } else if (RejoinKeyframe(event, shown, options, session)) {
-      GrowMap(event.id.index, options, store, times, session);
-      return session;
+  // What siblings lend may disagree where their maps do not quite meet: it comes second.
+  for (const bool lends : {false, true}) {
+    for (const auto& [shown, session] : ranked) {
+      const std::vector<Sibling> siblings = lends ? siblings_of(*session) : std::vector<Sibling>{};
+      if (lends && siblings.empty()) continue;
+      if (event.kind == FrameKind::kLight) {
+        if (RejoinLightFrame(event, options, siblings, session)) return session;
+      } else if (RejoinKeyframe(event, place, shown, options, siblings, session)) {
+        GrowMap(event.id.index, options, store, times, session);
+        return session;
+      }
     }
   }
   return nullptr;

@@ -49,13 +49,25 @@ std::optional<Registration> RegisterNear(const std::vector<PoseObservation>& obs
       observations.size(), min_inliers);
 }
 
+// Of the session's own landmark, else of the first sibling's that has one.
+std::optional<Eigen::Vector3d> PositionOf(TrackId track, const Session& session,
+                                          const std::vector<Sibling>& siblings) {
+  if (const Landmark* landmark = session.FindLandmark(track)) return landmark->position;
+  for (const Sibling& sibling : siblings) {
+    const Landmark* landmark = sibling.session->FindLandmark(track);
+    if (landmark != nullptr) return sibling.session_from_sibling * landmark->position;
+  }
+  return std::nullopt;
+}
+
 std::vector<PoseObservation> ObservationsOf(const LightFrame& frame, const MapperOptions& options,
-                                            const Session& session) {
+                                            const Session& session,
+                                            const std::vector<Sibling>& siblings) {
   std::vector<PoseObservation> observations;
   const double sigma = options.pixel_sigma_px / session.camera().MeanFocal();
   for (size_t i = 0; i < frame.tracks.size(); ++i) {
-    const Landmark* landmark = session.FindLandmark(frame.tracks[i]);
-    if (landmark != nullptr) observations.push_back({landmark->position, frame.points[i], sigma});
+    const auto position = PositionOf(frame.tracks[i], session, siblings);
+    if (position) observations.push_back({*position, frame.points[i], sigma});
   }
   return observations;
 }
@@ -94,13 +106,15 @@ std::optional<Registration> RegisterAgain(uint32_t frame, const MapperOptions& o
 }
 
 bool PoseLightFrame(uint32_t index, const std::optional<Rigid3>& predicted_cam_from_session,
-                    const MapperOptions& options, LightFrame* frame, const Session& session) {
+                    const MapperOptions& options, LightFrame* frame, const Session& session,
+                    const std::vector<Sibling>& siblings) {
   auto reference = session.keyframes().lower_bound(index);
   while (reference != session.keyframes().begin()) {
     if (!(--reference)->second.weak) break;
   }
   if (reference == session.keyframes().end() || reference->second.weak) return false;
-  const std::vector<PoseObservation> observations = ObservationsOf(*frame, options, session);
+  const std::vector<PoseObservation> observations =
+      ObservationsOf(*frame, options, session, siblings);
   const size_t min_inliers = MinLightInliers(observations.size(), options);
   std::optional<Registration> registration;
   if (predicted_cam_from_session) {
@@ -119,7 +133,7 @@ void RefineLightFrames(const MapperOptions& options, Session* session) {
   std::vector<std::pair<uint32_t, LightFrame>> refined;
   for (const auto& [index, frame] : session->light_frames()) {
     const Rigid3& reference = session->keyframe(frame.reference).cam_from_session;
-    const std::vector<PoseObservation> observations = ObservationsOf(frame, options, *session);
+    const std::vector<PoseObservation> observations = ObservationsOf(frame, options, *session, {});
     const auto registration = RegisterNear(observations, frame.cam_from_reference * reference,
                                            MinLightInliers(observations.size(), options), options);
     if (!registration) continue;

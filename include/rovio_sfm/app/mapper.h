@@ -84,6 +84,7 @@ class Mapper {
   void TrySeed(const DriveId& drive);
   SessionId StartedSession(const DriveMapper& drive) const;
   void MatchWithLost(SessionId session);
+  std::vector<Sibling> SiblingsOf(const Session& session) const;
   void FinishDrive(const DriveId& drive);
   void AdjustMaps(std::optional<SessionId> of);
 

@@ -101,8 +101,8 @@ class OfflineMapper {
   void Map(const FrameEvent& event);
   void MapSeeded();
   void MapFirst(const std::vector<FrameEvent>& events, const std::vector<PlaceMatch>& matches);
-  void RejoinLost();
-  void RejoinLost(const DriveId& drive, std::vector<uint32_t> lost);
+  void RejoinLost(FrameKind kind);
+  void RejoinLost(FrameKind kind, const DriveId& drive, std::vector<uint32_t> lost);
   std::map<uint32_t, PlaceMatch> PlacesOf(const std::vector<uint32_t>& lost, const DriveId& drive);
   void Localize(const FrameEvent& event);
   void KeepBest(const std::optional<Localization>& pose);
