@@ -17,10 +17,16 @@ constexpr size_t kMinGlobalFrames = 6;  // smaller maps are covered by local adj
 constexpr int kFinalRounds = 5;
 constexpr double kLocalTolerance = 1e-4;  // the next frame's adjustment goes on where this one ends
 constexpr double kFinalTolerance = 1e-8;
+// What an adjustment may cost, so that a frame costs the same however long the drive is; 4 to 10
+// iterations. Many views of each landmark leave little to gain by more.
+constexpr double kLocalReprojections = 1e5, kRunningReprojections = 7e5;
 constexpr double kSettledShare = 0.0005;  // of the observations, more or fewer than a round ago
 
 BundleOptions LocalBundleOptions(const MapperOptions& options) {
-  return {options.adjust.running_max_iterations, LossSigmas(options), kLocalTolerance};
+  BundleOptions bundle_options = RunningBundleOptions(options);
+  bundle_options.function_tolerance = kLocalTolerance;
+  bundle_options.max_reprojections = kLocalReprojections;
+  return bundle_options;
 }
 
 // Of a whole session. False: nothing was changed.
@@ -60,9 +66,17 @@ PruneReport PruneFinally(const MapperOptions& options, Session* session) {
   return PruneAllLandmarks(limits, session);
 }
 
+BundleOptions RunningBundleOptions(const MapperOptions& options) {
+  BundleOptions bundle_options{options.adjust.running_max_iterations, LossSigmas(options)};
+  bundle_options.max_reprojections = kRunningReprojections;
+  return bundle_options;
+}
+
 BundleOptions FinalBundleOptions(const MapperOptions& options, bool is_last) {
   if (is_last) return {options.adjust.final_max_iterations, 0.0, kFinalTolerance};
-  return {options.adjust.final_max_iterations, LossSigmas(options)};
+  BundleOptions bundle_options{options.adjust.final_max_iterations, LossSigmas(options)};
+  bundle_options.settle_points = true;
+  return bundle_options;
 }
 
 PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
@@ -90,7 +104,7 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
 GlobalAdjustment::GlobalAdjustment(const MapperOptions& options, Executor* executor,
                                    ResultTiming timing)
     : options_(options.adjust),
-      loss_sigmas_(LossSigmas(options)),
+      bundle_options_(RunningBundleOptions(options)),
       executor_(executor),
       timing_(timing) {}
 
@@ -113,7 +127,7 @@ void GlobalAdjustment::Start(const Session& session) {
   num_frames_at_last_ = session.keyframes().size();
   num_landmarks_at_last_ = session.landmarks().size();
   const Wait wait;
-  BundleOptions bundle_options{options_.running_max_iterations, loss_sigmas_};
+  BundleOptions bundle_options = bundle_options_;
   bundle_options.is_given_up = wait.IsGivenUp();
   auto solved = executor_->Submit(
       [](SessionBundle bundle, const BundleOptions& solve, const AdjustOptions& options) {

@@ -84,7 +84,7 @@ DelayedResult<std::unique_ptr<MapBundle>> SolveBeside(const std::vector<PlacedSe
                                                       const MapperOptions& options,
                                                       Executor* executor, ResultTiming timing) {
   const Wait wait;
-  BundleOptions solve{options.adjust.running_max_iterations, LossSigmas(options)};
+  BundleOptions solve = RunningBundleOptions(options);
   solve.is_given_up = wait.IsGivenUp();
   const auto max_frames = static_cast<size_t>(options.adjust.max_global_frames);
   auto solved = executor->Submit(

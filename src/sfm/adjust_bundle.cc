@@ -16,6 +16,9 @@ namespace {
 constexpr size_t kMaxDenseCameras = 150;      // up to here a dense Schur complement is faster
 constexpr size_t kMaxConnectedCameras = 600;  // their matrix takes 100 MB
 constexpr double kMinConnectedShare = 0.25;
+constexpr int kMinBoundIterations = 4;       // most of what there is to gain
+constexpr size_t kMinSettlingCameras = 50;   // fewer: another iteration of all costs less
+constexpr double kSettlingTolerance = 1e-4;  // as a share of the step's gain
 
 PoseBlock ToBlock(const Rigid3& cam_from_map) {
   const auto& q = cam_from_map.rotation;
@@ -111,6 +114,18 @@ std::shared_ptr<ceres::ParameterBlockOrdering> MakeOrdering(std::vector<Eigen::V
   return ordering;
 }
 
+// Under a robust loss the cameras are soon right and a few points crawl: alone they arrive at once.
+void SettlePoints(std::vector<Eigen::Vector3d>* points, const ceres::Problem& solver,
+                  ceres::Solver::Options* solver_options) {
+  solver_options->use_inner_iterations = true;
+  solver_options->inner_iteration_tolerance = kSettlingTolerance;
+  auto alone = std::make_shared<ceres::ParameterBlockOrdering>();
+  for (Eigen::Vector3d& point : *points) {
+    if (solver.HasParameterBlock(point.data())) alone->AddElementToGroup(point.data(), 0);
+  }
+  solver_options->inner_iteration_ordering = std::move(alone);
+}
+
 // Ends a solution that nobody waits for any more.
 class GiveUp : public ceres::IterationCallback {
  public:
@@ -156,6 +171,15 @@ bool IsDense(const BundleProblem& problem, const Gauge& gauge) {
          ConnectedShare(problem, gauge, num_free) >= kMinConnectedShare;
 }
 
+// What the reprojections that may be computed are good for.
+int MaxIterations(const BundleProblem& problem, const BundleOptions& options) {
+  if (options.max_reprojections <= 0.0) return options.max_iterations;
+  const double affordable =
+      options.max_reprojections / static_cast<double>(problem.observations.size());
+  const int bound = static_cast<int>(std::max<double>(affordable, kMinBoundIterations));
+  return std::min(bound, options.max_iterations);
+}
+
 ceres::Solver::Options SolverOptions(const BundleProblem& problem, const BundleOptions& options,
                                      const Gauge& gauge, GiveUp* give_up) {
   ceres::Solver::Options solver_options;
@@ -164,7 +188,7 @@ ceres::Solver::Options SolverOptions(const BundleProblem& problem, const BundleO
   solver_options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
   solver_options.dense_linear_algebra_library_type = ceres::EIGEN;
   solver_options.num_threads = 1;
-  solver_options.max_num_iterations = options.max_iterations;
+  solver_options.max_num_iterations = MaxIterations(problem, options);
   solver_options.function_tolerance = options.function_tolerance;
   solver_options.logging_type = ceres::SILENT;
   solver_options.callbacks = {give_up};
@@ -194,6 +218,9 @@ BundleReport AdjustBundle(BundleProblem* problem, const BundleOptions& options) 
   SetGauge(gauge, &poses, &solver);
   ceres::Solver::Options solver_options = SolverOptions(*problem, options, gauge, &give_up);
   solver_options.linear_solver_ordering = MakeOrdering(&problem->points, &poses, solver);
+  if (options.settle_points && poses.size() >= kMinSettlingCameras) {
+    SettlePoints(&problem->points, solver, &solver_options);
+  }
   const ceres::Solver::Summary summary = SolveQuietly(solver_options, &solver);
   report.iterations = static_cast<int>(summary.iterations.size());
   report.initial_cost = summary.initial_cost;

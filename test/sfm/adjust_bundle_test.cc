@@ -49,6 +49,40 @@ TEST(AdjustBundle, ChangesNothingOnceItIsGivenUp) {
   }
 }
 
+TEST(AdjustBundle, EndsAfterTheReprojectionsThatItMayCompute) {
+  const SyntheticWorld world = MakeWorld(0.5);
+  const auto iterations = [&](double reprojections_of_each, int max_iterations) {
+    BundleProblem problem = MakeProblem(world);
+    Disturb(&problem, 1);
+    BundleOptions options = kExact;
+    options.max_iterations = max_iterations;
+    options.max_reprojections =
+        reprojections_of_each * static_cast<double>(problem.observations.size());
+    return AdjustBundle(&problem, options).iterations - 1;  // less the look at the start
+  };
+  EXPECT_GT(iterations(0.0, 50), 7);
+  EXPECT_EQ(iterations(6.0, 50), 6);
+  EXPECT_EQ(iterations(1.0, 50), 4);  // a few at least
+  EXPECT_EQ(iterations(6.0, 3), 3);
+}
+
+TEST(AdjustBundle, SettlesThePointsThatCrawlUnderARobustLoss) {
+  const SyntheticWorld world = MakeWorld(1.0, 60);
+  BundleProblem crawling = MakeProblem(world);
+  for (size_t i = 0; i < crawling.observations.size(); i += 10) {
+    crawling.observations[i].x_normalized.x() += 6.0 * crawling.observations[i].sigma;
+  }
+  Disturb(&crawling, 60);  // the points alone
+  BundleProblem settled = crawling;
+  BundleOptions options{50, 1.0, 1e-5};
+  const BundleReport without = AdjustBundle(&crawling, options);
+  options.settle_points = true;
+  const BundleReport with = AdjustBundle(&settled, options);
+  ASSERT_TRUE(without.usable && with.usable);
+  EXPECT_LT(with.iterations, without.iterations);
+  EXPECT_LE(with.final_cost, without.final_cost);
+}
+
 TEST(AdjustBundle, HoldsTheGaugeByTheFirstCameraAndOneComponent) {
   const SyntheticWorld world = MakeWorld(0.5);
   BundleProblem problem = MakeProblem(world);

@@ -24,6 +24,9 @@ PruneReport PruneFinally(const MapperOptions& options, Session* session);
 // are completed and pruned in every round.
 bool HasSettled(size_t num_before, size_t num_now);
 
+// How everything is adjusted while drives run.
+BundleOptions RunningBundleOptions(const MapperOptions& options);
+
 // How a round of a final adjustment is solved. The last one minimises the squared error of what is
 // left, until nothing changes: a map bends far for little cost.
 BundleOptions FinalBundleOptions(const MapperOptions& options, bool is_last);
@@ -50,7 +53,7 @@ class GlobalAdjustment {
   void Start(const Session& session);
 
   AdjustOptions options_;
-  double loss_sigmas_;
+  BundleOptions bundle_options_;
   Executor* executor_;
   ResultTiming timing_;
   std::unique_ptr<DelayedResult<SessionBundle>> running_;  // null: none

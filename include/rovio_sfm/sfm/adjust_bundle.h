@@ -33,6 +33,8 @@ struct BundleOptions {
   int max_iterations = 10;
   double loss_sigmas = 1.0;  // scale of the Cauchy loss in residuals of one sigma; 0: squared error
   double function_tolerance = 1e-5;  // stops where a step lowers the cost by a smaller share
+  double max_reprojections = 0.0;    // ends there, after a few iterations at least; 0: no bound
+  bool settle_points = false;  // each iteration moves every point alone to its optimum, at the end
   std::function<bool()> is_given_up = nullptr;  // asked at each iteration: nobody waits any more
 };
 
