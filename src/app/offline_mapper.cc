@@ -172,13 +172,15 @@ void OfflineMapper::RejoinLost(FrameKind kind) {
   }
 }
 
-// Keyframes in rounds, as each that joins brings landmarks that others may show.
+// In rounds until none joins, as each keyframe that does brings landmarks that others may show.
 void OfflineMapper::RejoinLost(FrameKind kind, const DriveId& drive, std::vector<uint32_t> lost) {
-  const bool is_light = kind == FrameKind::kLight;
   std::map<uint32_t, PlaceMatch> places;
-  if (!is_light) places = PlacesOf(lost, drive);
+  if (kind == FrameKind::kKeyframe) places = PlacesOf(lost, drive);
   const size_t num_lost = lost.size();
-  for (int round = 0; round < (is_light ? 1 : kRejoinRounds) && HasTimeToMap(); ++round) {
+  size_t num_before = num_lost + 1;
+  for (int round = 0; round < kRejoinRounds && lost.size() < num_before && HasTimeToMap();
+       ++round) {
+    num_before = lost.size();
     const auto joins = [&](uint32_t index) {
       const auto event = kept_->frames().ReadEvent({drive, index}, EventParts::kBare);
       return event && event->kind == kind && mapper_.Rejoin(*event, places[index]);

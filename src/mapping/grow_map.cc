@@ -53,15 +53,16 @@ void JoinTracks(uint32_t frame, const TrackOfFeature& shown, const FilterF2Optio
 bool RejoinKeyframe(const FrameEvent& event, const PlaceMatch& place, const TrackOfFeature& shown,
                     const MapperOptions& options, const std::vector<Sibling>& siblings,
                     Session* session) {
-  std::map<uint32_t, Eigen::Vector3d> positions;  // by feature
-  for (const auto& [feature, track] : shown) {
-    positions.emplace(feature, session->landmarks().at(track).position);
-  }
-  for (const Sibling& sibling : siblings) {
-    for (const auto& [feature, track] : LandmarksShown(event, place, *sibling.session)) {
-      const Eigen::Vector3d& position = sibling.session->landmarks().at(track).position;
-      positions.emplace(feature, sibling.session_from_sibling * position);
+  std::map<uint32_t, Eigen::Vector3d> positions;  // by feature: the first that tells one
+  const auto add = [&](const TrackOfFeature& of, const Sibling& from) {
+    for (const auto& [feature, track] : of) {
+      const Eigen::Vector3d& position = from.session->landmarks().at(track).position;
+      positions.emplace(feature, from.session_from_sibling * position);
     }
+  };
+  add(shown, {session, {}});
+  for (const Sibling& sibling : siblings) {
+    add(LandmarksShown(event, place, *sibling.session), sibling);
   }
   std::vector<PoseObservation> observations;
   for (const auto& [feature, position] : positions) {

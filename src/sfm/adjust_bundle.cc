@@ -115,14 +115,12 @@ std::shared_ptr<ceres::ParameterBlockOrdering> MakeOrdering(std::vector<Eigen::V
 }
 
 // Under a robust loss the cameras are soon right and a few points crawl: alone they arrive at once.
-void SettlePoints(std::vector<Eigen::Vector3d>* points, const ceres::Problem& solver,
-                  ceres::Solver::Options* solver_options) {
+void SettlePoints(ceres::Solver::Options* solver_options) {
   solver_options->use_inner_iterations = true;
   solver_options->inner_iteration_tolerance = kSettlingTolerance;
   auto alone = std::make_shared<ceres::ParameterBlockOrdering>();
-  for (Eigen::Vector3d& point : *points) {
-    if (solver.HasParameterBlock(point.data())) alone->AddElementToGroup(point.data(), 0);
-  }
+  const auto& groups = solver_options->linear_solver_ordering->group_to_elements();
+  for (double* point : groups.at(0)) alone->AddElementToGroup(point, 0);
   solver_options->inner_iteration_ordering = std::move(alone);
 }
 
@@ -219,7 +217,7 @@ BundleReport AdjustBundle(BundleProblem* problem, const BundleOptions& options) 
   ceres::Solver::Options solver_options = SolverOptions(*problem, options, gauge, &give_up);
   solver_options.linear_solver_ordering = MakeOrdering(&problem->points, &poses, solver);
   if (options.settle_points && poses.size() >= kMinSettlingCameras) {
-    SettlePoints(&problem->points, solver, &solver_options);
+    SettlePoints(&solver_options);
   }
   const ceres::Solver::Summary summary = SolveQuietly(solver_options, &solver);
   report.iterations = static_cast<int>(summary.iterations.size());
