@@ -47,10 +47,11 @@ if(ROVIO_WITH_ROS)
   add_dependencies(rovio_ros ${PROJECT_NAME}_generate_messages_cpp)  # no other language
 endif()
 
-# The simulated robot stands apart and shares nothing with rovio/.
+# The simulated robot stands apart and shares nothing with rovio/, but that a tour's odometry is what
+# the driver makes of the ticks.
 rovio_library(sim/world LINKS rovio_geometry embree PkgConfig::YAMLCPP ${OPENCV}
                         TEST_LINKS rovio_sim_robot)
 rovio_library(sim/robot LINKS rovio_sim_world)
-rovio_library(sim/tour  LINKS rovio_sim_robot)
+rovio_library(sim/tour  LINKS rovio_sim_robot rovio_rovio)
 rovio_library(sim/http  LINKS rovio_sim_robot)
 rovio_library(sim       LINKS rovio_sim_tour rovio_sim_http CLI11::CLI11)

@@ -34,8 +34,12 @@ std::optional<Window> MakeWindow(const ScaleSample& from, const ScaleSample& to,
   const double direction = std::atan2(moved_m.y(), moved_m.x()) - heading;
   Window window;
   window.log_ratio = std::log(moved_m.norm() / moved_units);
-  window.gain_sigma = std::hypot(options.gains.forward_sigma * std::cos(direction),
-                                 options.gains.sideways_sigma * std::sin(direction));
+  // A gain lengthens the way by its part of the displacement along the displacement; that of
+  // forward motion is a floor.
+  const double of_both =
+      std::hypot(options.gains.forward_sigma * std::pow(std::cos(direction), 2),
+                 options.gains.sideways_sigma * std::pow(std::sin(direction), 2));
+  window.gain_sigma = std::max(options.gains.forward_sigma, of_both);
   return window;
 }
 

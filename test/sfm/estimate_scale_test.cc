@@ -157,6 +157,28 @@ TEST(EstimateScale, TrustsSidewaysMotionLess) {
   EXPECT_NEAR(EstimateScale(samples, {})->metres_per_unit, kMetresPerUnit, 1e-9);
 }
 
+// What a way between forward and sideways may be too long or short by, against drives with gains
+// drawn.
+TEST(EstimateScale, SigmaOfASlantingWayIsThatOfItsLength) {
+  EstimateScaleOptions options;
+  options.gains = {0.02, 0.1};
+  DriveOptions slanting;
+  slanting.turn_rad = 0.0;
+  slanting.direction_rad = 0.35;
+  const auto scale = EstimateScale(MakeDrive(slanting), options);
+  ASSERT_TRUE(scale);
+  Rng rng(5);
+  double sum = 0.0;
+  constexpr int kDrives = 20000;
+  for (int i = 0; i < kDrives; ++i) {
+    const double forward_m = std::cos(0.35) * (1.0 + 0.02 * rng.Gaussian());
+    const double sideways_m = std::sin(0.35) * (1.0 + 0.1 * rng.Gaussian());
+    sum += std::pow(std::log(std::hypot(forward_m, sideways_m)), 2);
+  }
+  const double sigma = std::sqrt(sum / kDrives);
+  EXPECT_NEAR(scale->sigma_log, sigma, 0.03 * sigma);
+}
+
 TEST(EstimateScale, PassesOverWindowsWhoseRotationsDisagree) {
   auto samples = MakeDrive({});
   for (size_t i = 10; i < samples.size(); ++i) {  // slips forward while it turns a tenth too far

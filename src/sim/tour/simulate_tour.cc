@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "rovio_sfm/rovio/omni_odometry.h"
 #include "rovio_sfm/sim/robot/robot_body.h"
 #include "rovio_sfm/util/check.h"
 
@@ -40,20 +41,32 @@ BodyMotion RimMotion(const PlanarPose& from, const PlanarPose& to, const Slip& s
           (to.yaw_rad - from.yaw_rad) / slip.turn_gain + heading_error_rad};
 }
 
+// Counted ticks as the robot reports them.
+std::array<WheelTicks, 3> AsReported(const std::array<int, 3>& counted) {
+  std::array<WheelTicks, 3> wheels;
+  for (size_t wheel = 0; wheel < 3; ++wheel) {
+    if (counted[wheel] == 0) continue;
+    wheels[wheel].direction = counted[wheel] < 0 ? 0x02 : 0x05;
+    wheels[wheel].ticks = static_cast<uint16_t>(std::abs(counted[wheel]));
+  }
+  return wheels;
+}
+
 void AddOdometry(const std::vector<PlanarPose>& poses, const SlipOptions& options, Rng rng,
                  SimulatedTour* tour) {
   const OmniGeometry geometry;
   const Slip slip = DrawSlip(options, rng);
   TickCounter counter(geometry, options.lost_tick_share, rng.Fork(1));
-  TickIntegrator integrator(geometry);
+  OmniOdometry odometry(OmniOdometryOptions{});
   for (size_t i = 1; i < poses.size(); ++i) {
     const double way_m =
         std::hypot(poses[i].x_m - poses[i - 1].x_m, poses[i].y_m - poses[i - 1].y_m);
     const double error = options.heading_walk_rad_per_sqrt_m * std::sqrt(way_m) * rng.Gaussian();
     const BodyMotion motion = RimMotion(poses[i - 1], poses[i], slip, error);
-    integrator.Add(counter.Add(RimTravel(motion, geometry)));
-    tour->frames[i].odometry = integrator.pose();
-    tour->frames[i].odometry_covariance = integrator.covariance();
+    odometry.Add(AsReported(counter.Add(RimTravel(motion, geometry))));
+    const OdometryState& state = odometry.State();
+    tour->frames[i].odometry = {state.x_m, state.y_m, state.yaw_rad};
+    tour->frames[i].odometry_covariance = state.covariance;
   }
 }
 

@@ -37,6 +37,23 @@ TEST(SimulateTour, OdometryIsTrueWithoutSlip) {
   EXPECT_NEAR(end.z(), M_PI / 2, 0.03);
 }
 
+// The root of the mean square of error over sigma along a straight leg, over many drives: what a
+// drive draws and what the driver takes for its uncertainty belong together.
+TEST(SimulateTour, OdometryIsAsUncertainAsItSays) {
+  TourSpec tour = ShortTour();
+  tour.step_spread = 0.0;
+  tour.way_points.pop_back();
+  double sum = 0.0;
+  constexpr int kDrives = 200;
+  for (int seed = 1; seed <= kDrives; ++seed) {
+    const TourFrame end = SimulateTour(tour, {}, static_cast<uint64_t>(seed)).frames.back();
+    sum += std::pow(end.odometry.x() - 0.3, 2) / end.odometry_covariance(0, 0);
+  }
+  const double rms = std::sqrt(sum / kDrives);
+  EXPECT_GT(rms, 0.4);
+  EXPECT_LT(rms, 1.3);
+}
+
 TEST(SimulateTour, TruePoseLiesInTheMiddleOfTheSway) {
   const TourFrame frame = SimulateTour(ShortTour(), {}, 1).frames[2];
   const Rigid3 middle = PoseAt(frame.motion, 0.5);

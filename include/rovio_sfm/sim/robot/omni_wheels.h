@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -27,9 +26,6 @@ enum Wheel { kLeftWheel = 0, kRightWheel = 1, kRearWheel = 2 };
 // Rim travel of each wheel without slip, in metres; positive: the left and right wheels drive
 // forward, the rear wheel drives the tail to the left.
 std::array<double, 3> RimTravel(const BodyMotion& motion, const OmniGeometry& geometry);
-
-// The motion that turns the wheels so; inverse of RimTravel.
-BodyMotion MotionFromRim(const std::array<double, 3>& rim_m, const OmniGeometry& geometry);
 
 // How the floor cheats a robot; drawn once per drive.
 struct SlipOptions {
@@ -62,23 +58,6 @@ class TickCounter {
   double lost_tick_share_;
   Rng rng_;
   std::array<double, 3> fraction_{};
-};
-
-// Dead reckoning from ticks, as someone who trusts the geometry would do it: odom_from_base in the
-// plane (x m, y m, yaw rad) and its covariance, from generous slip.
-class TickIntegrator {
- public:
-  explicit TickIntegrator(const OmniGeometry& geometry) : geometry_(geometry) {}
-
-  void Add(const std::array<int, 3>& ticks);
-
-  const Eigen::Vector3d& pose() const { return pose_; }
-  const Eigen::Matrix3d& covariance() const { return covariance_; }
-
- private:
-  OmniGeometry geometry_;
-  Eigen::Vector3d pose_ = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
 };
 
 }  // namespace rovio_sfm::sim

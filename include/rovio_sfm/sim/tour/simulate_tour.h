@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
@@ -24,8 +25,9 @@ struct SimulatedTour {
   std::vector<TourFrame> frames;
 };
 
-// Poses, exposure and odometry of every picture. The odometry (slip, lost ticks) draws from a
-// generator of its own, so that it never changes the pictures.
+// Poses, exposure and odometry of every picture; the odometry is what the driver makes of the ticks
+// of each step. Slip and lost ticks draw from a generator of their own, so that they never change
+// the pictures.
 SimulatedTour SimulateTour(const TourSpec& tour, const SlipOptions& slip, uint64_t seed);
 
 }  // namespace rovio_sfm::sim
