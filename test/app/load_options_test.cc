@@ -55,6 +55,14 @@ TEST(LoadOptions, ShippedFilesHoldTheDefaults) {
   EXPECT_EQ(FirstDifference<DriveTourOptions>("drive_tour.yaml"), "");
 }
 
+TEST(LoadOptions, FastFrontendIsReadWhole) {
+  FrontendOptions options;
+  LoadOptions(YAML::LoadFile(std::string(ROVIO_SOURCE_DIR) + "/config/frontend_fast.yaml"), "",
+              &options);
+  EXPECT_EQ(options.extract.max_features, 400);
+  EXPECT_FALSE(options.extract.upsample);
+}
+
 TEST(LoadOptions, OutOfRangeNamesOptionAndBound) {
   MapOptions options;
   EXPECT_EQ(

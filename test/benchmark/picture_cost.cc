@@ -18,7 +18,9 @@
 namespace rovio_sfm {
 namespace {
 
-constexpr int kWindow = 100, kEarly = 100, kLate = 600;  // pictures
+constexpr size_t kWindow = 100;    // pictures that a printed line is of
+constexpr size_t kEarly = 200;     // after as many pictures
+constexpr size_t kCompared = 200;  // as many are compared with as many at the end
 
 int64_t CpuNs() {
   timespec now{};
@@ -46,14 +48,14 @@ void PrintLast(size_t count, const Costs& costs_ms, const std::map<std::string, 
   std::fflush(stdout);
 }
 
-// How much more a late picture of a drive costs than an early one.
+// How much more the last pictures of a drive cost than early ones.
 void PrintGrowth(const Costs& costs_ms) {
-  if (costs_ms.size() <= kLate) return;
-  const double early_ms =
-      Median({costs_ms.begin() + kEarly, costs_ms.begin() + kEarly + 2 * kWindow});
-  const double late_ms = Median({costs_ms.begin() + kLate, costs_ms.end()});
-  std::printf("pictures %d to %zu: %.2f times the median of %d to %d\n", kLate + 1, costs_ms.size(),
-              late_ms / early_ms, kEarly + 1, kEarly + 2 * kWindow);
+  if (costs_ms.size() < kEarly + 2 * kCompared) return;
+  const auto early = costs_ms.begin() + kEarly;
+  const double early_ms = Median({early, early + kCompared});
+  const double late_ms = Median({costs_ms.end() - kCompared, costs_ms.end()});
+  std::printf("the last %zu pictures: %.0f ms, %.2f times the %.0f ms of %zu to %zu\n", kCompared,
+              late_ms, late_ms / early_ms, early_ms, kEarly + 1, kEarly + kCompared);
 }
 
 void Measure(const std::string& folder, size_t num_pictures) {
