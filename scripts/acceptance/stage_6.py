@@ -1,5 +1,7 @@
 """The real robot's pictures (issue 12)."""
 
-from acceptance import beside_colmap, real_sets, robot_tours, robust_drives, speed, strict_places
+from acceptance import (beside_colmap, live_speed, real_sets, robot_tours, robust_drives, speed,
+                        strict_places)
 
-LINES = [*robot_tours.LINES, *strict_places.LINES, *speed.LINES, *real_sets.LINES, *beside_colmap.LINES, *robust_drives.LINES]
+LINES = [*robot_tours.LINES, *strict_places.LINES, *speed.LINES, *live_speed.LINES, *real_sets.LINES,
+         *beside_colmap.LINES, *robust_drives.LINES]
