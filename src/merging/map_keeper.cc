@@ -256,6 +256,10 @@ void MapKeeper::AdjustMapOf(MapId map) {
 
 void MapKeeper::AdjustAllFinally() {
   for (const MapId map : list_.LinkedMaps()) AdjustMapOf(map);
+  Advance();  // what waited for an adjustment may fit now
+  for (const MapId map : list_.LinkedMaps()) {
+    if (running_.count(map) != 0) AdjustMapOf(map);
+  }
 }
 
 MergeReport MapKeeper::Merge(SessionId a, SessionId b, bool force) {

@@ -241,22 +241,36 @@ TEST(MapKeeper, AdjustsALinkedMapAgainOnceItHasGrown) {
   EXPECT_LT(PoseDistance(sessions.b.keyframe(3).cam_from_session, adjusted), 0.01);
 }
 
+// Two sessions in one map, whose adjustment runs, and an overlap that gapes until it is done.
+struct GapingSessions : Sessions {
+  GapingSessions() : Sessions(MakeTwoDrives(TwoDrivesOptions(0.7))) {
+    keeper.Add(TrueOverlap(two, 8, 8));
+    const auto poses = b.keyframes();
+    for (const auto& [index, frame] : poses) {  // as a long way from the first overlap may have it
+      const Rigid3 aside{Eigen::Quaterniond::Identity(), {0.2, 0.0, 0.0}};
+      if (index < 4) b.SetPose(index, frame.cam_from_session * aside);
+    }
+    keeper.Add(TrueOverlap(two, 2, 2));
+  }
+};
+
 // What would have to be judged in full while the map is adjusted may fit it afterwards.
 TEST(MapKeeper, AnOverlapThatGapesWaitsForTheAdjustmentOfItsMap) {
-  Sessions sessions(MakeTwoDrives(TwoDrivesOptions(0.7)));
-  sessions.keeper.Add(TrueOverlap(sessions.two, 8, 8));
+  GapingSessions sessions;
   ASSERT_TRUE(sessions.InOneMap());
-  const auto poses = sessions.b.keyframes();
-  for (const auto& [index, frame] : poses) {  // as a long way from the first overlap may have it
-    if (index < 4)
-      sessions.b.SetPose(
-          index, frame.cam_from_session * Rigid3{Eigen::Quaterniond::Identity(), {0.2, 0.0, 0.0}});
-  }
-  sessions.keeper.Add(TrueOverlap(sessions.two, 2, 2));
   EXPECT_EQ(sessions.keeper.num_waiting(), 1u);
   sessions.PassKeyframes();
   sessions.keeper.Advance();
   EXPECT_EQ(sessions.keeper.num_waiting(), 0u);
+}
+
+TEST(MapKeeper, AnOverlapThatWaitsAtTheEndIsJudgedAfterTheLastAdjustment) {
+  GapingSessions sessions;
+  ASSERT_EQ(sessions.keeper.num_waiting(), 1u);
+  sessions.keeper.AdjustAllFinally();
+  EXPECT_EQ(sessions.keeper.num_waiting(), 0u);
+  ASSERT_EQ(sessions.keeper.Reports().size(), 2u);
+  EXPECT_EQ(sessions.keeper.Reports()[1].verdict, MergeVerdict::kAccepted);
 }
 
 }  // namespace
