@@ -73,9 +73,9 @@ BundleOptions RunningBundleOptions(const MapperOptions& options) {
 }
 
 BundleOptions FinalBundleOptions(const MapperOptions& options, bool is_last) {
-  if (is_last) return {options.adjust.final_max_iterations, 0.0, kFinalTolerance};
   BundleOptions bundle_options{options.adjust.final_max_iterations, LossSigmas(options)};
   bundle_options.settle_points = true;
+  if (is_last) bundle_options.function_tolerance = kFinalTolerance;
   return bundle_options;
 }
 

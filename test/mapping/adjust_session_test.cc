@@ -105,21 +105,48 @@ TEST(GlobalAdjustment, GivesTheSameBytesWithAndWithoutThreads) {
   EXPECT_NE(BytesOf(untouched), alone);
 }
 
-// The same drive, with outliers, where a feature's position is taken as four times less certain.
-Session AdjustedWithSigma(double pixel_sigma_px) {
-  const SyntheticDrive drive = MakeDrive(0.5);
+// The drive at its true poses and points, one in `every` features of the frames from `first` on
+// shifted to the right.
+Session WithOutliers(const SyntheticDrive& drive, uint32_t first, size_t every, double shift,
+                     const MapperOptions& options) {
   Session session({1}, drive.events[0].id.drive, drive.world.camera);
-  MapperOptions options;
-  options.pixel_sigma_px = pixel_sigma_px;
   for (uint32_t i = 0; i < drive.events.size(); ++i) {
     Keyframe frame = MakeKeyframe(drive.events[i], drive.world.cams_from_map[i], options);
-    for (size_t k = 0; k < frame.points.size(); k += 10) frame.points[k].x() += 0.01;
+    const size_t end = i < first ? 0 : frame.points.size();
+    for (size_t k = 0; k < end; k += every) frame.points[k].x() += shift;
     session.AddKeyframe(i, frame);
   }
   for (const auto& [id, track] : session.tracks()) {
     if (track.members.size() < 2) continue;
     session.AddLandmark(id, drive.world.points[id - 1], {}, track.members);
   }
+  return session;
+}
+
+double GreatestDistance(const Session& session, const SyntheticDrive& drive) {
+  const auto error = MeasureTrajectory(session.Snapshot(), drive.world);
+  return error ? error->max_distance : HUGE_VAL;
+}
+
+// Nearly all shifted features are near enough to stay, and would bend a map of squared errors.
+TEST(AdjustFinally, IsNotBentByErrorsTooSmallToPrune) {
+  const SyntheticDrive drive = MakeDrive(0.5);
+  Session session = WithOutliers(drive, 5, 4, 3.0 / drive.world.camera.MeanFocal(), {});
+  const size_t num_before = MakeGlobalBundle(session).problem.observations.size();
+  AdjustFinally({}, &session);
+  const double error = GreatestDistance(session, drive);
+  SessionBundle bundle = MakeGlobalBundle(session);
+  EXPECT_GE(bundle.problem.observations.size(), num_before - 5);
+  ASSERT_TRUE(AdjustBundle(&bundle.problem, {50, 0.0, 1e-8}).usable);
+  ApplyBundle(bundle, true, &session);
+  EXPECT_LT(error, 0.8 * GreatestDistance(session, drive));
+}
+
+// The map of a drive with outliers where a feature's position has this sigma.
+Session AdjustedWithSigma(double pixel_sigma_px) {
+  MapperOptions options;
+  options.pixel_sigma_px = pixel_sigma_px;
+  Session session = WithOutliers(MakeDrive(0.5), 0, 10, 0.01, options);
   Executor executor(0);
   GlobalAdjustment global(options, &executor, ResultTiming::kFixed);
   global.MaybeStart(session);

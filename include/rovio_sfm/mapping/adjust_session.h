@@ -27,8 +27,9 @@ bool HasSettled(size_t num_before, size_t num_now);
 // How everything is adjusted while drives run.
 BundleOptions RunningBundleOptions(const MapperOptions& options);
 
-// How a round of a final adjustment is solved. The last one minimises the squared error of what is
-// left, until nothing changes: a map bends far for little cost.
+// How a round of a final adjustment is solved, the last one until nothing changes: a map bends far
+// for little cost. It keeps the loss: features of real pictures err by more than a Gaussian even
+// after pruning, and few large errors bend a map under squared ones.
 BundleOptions FinalBundleOptions(const MapperOptions& options, bool is_last);
 
 // Adjusts everything, prunes, and completes tracks until little changes: the end of a session.
