@@ -1,14 +1,26 @@
-"""The line beside COLMAP, whose kept figures stand in docs/colmap.json."""
+"""The lines beside COLMAP, whose kept figures stand in docs/colmap.json."""
 
+import functools
 import json
 
 from acceptance.common import ROOT, WORK, Line, dataset, run
+from acceptance.renders import Render, render
+from acceptance.stage_1 import TOURS
+
+STRIDES = {"tum_fr1_xyz": 4, "hololens_dvmvs_000": 2}
+MAX_WORSE, MAX_ERROR_RATIO = 1, 1.3  # sets on which COLMAP may be more accurate, and by how much
+MIN_COUNTS = 1.1  # times COLMAP's landmarks, and projections of a picture
+
+
+def compared(folders, *options):
+    """Entries of compare.json."""
+    out = WORK / "compare"
+    run(ROOT / "scripts/compare", *folders, "--runs", 1, "--out", out, *options)
+    return json.loads((out / "compare.json").read_text())
 
 
 def fountain(_quick):
-    out = WORK / "compare"
-    run(ROOT / "scripts/compare", dataset("strecha_fountain_p11"), "--runs", 1, "--out", out)
-    entry = json.loads((out / "compare.json").read_text())[0]
+    entry = compared([dataset("strecha_fountain_p11")])[0]
     holds, parts = True, []
     for title, theirs in entry["colmap"].items():
         ours = entry["ours"][theirs["compare_with"]]
@@ -21,7 +33,41 @@ def fountain(_quick):
     return holds, "; ".join(parts)
 
 
+@functools.cache
+def beside_hurried():
+    """Name, ours and COLMAP hurried of every set with a truth: the tours by the robot's camera and two real ones."""
+    entries = compared([render(Render(name)) for name in TOURS], "--hurried-only")
+    for name, stride in STRIDES.items():
+        entries += compared([dataset(name)], "--hurried-only", "--stride", stride)
+    return [(entry["name"], entry["ours"]["ours"], entry["colmap"]["COLMAP hurried"]) for entry in entries]
+
+
+def errors(_quick):
+    ratios = {name: ours["error_m"] / theirs["error_m"] for name, ours, theirs in beside_hurried()}
+    fewer = [name for name, ours, theirs in beside_hurried() if ours["registered"] < theirs["registered"]]
+    worse = [name for name, ratio in ratios.items() if ratio > 1]
+    holds = not fewer and len(worse) <= MAX_WORSE and max(ratios.values()) <= MAX_ERROR_RATIO
+    told = ", ".join(f"{name} {ratio:.2f}" for name, ratio in ratios.items())
+    return holds, f"error, times COLMAP's: {told}; fewer pictures: {', '.join(fewer) or 'none'}"
+
+
+def counts(_quick):
+    """Where both have all pictures: COLMAP's counts of a part say nothing."""
+    holds, parts = True, []
+    for name, ours, theirs in beside_hurried():
+        if ours["registered"] != theirs["registered"]:
+            continue
+        ratios = [ours[key] / theirs[key] for key in ("landmarks", "projections")]
+        holds = holds and min(ratios) >= MIN_COUNTS
+        parts.append(f"{name} {ratios[0]:.2f} and {ratios[1]:.2f}")
+    return holds, f"landmarks and projections, times COLMAP's: {', '.join(parts)}"
+
+
 LINES = [
     Line("compare", "fountain beside COLMAP: as many pictures, no larger error, no fewer landmarks and projections", fountain,
          False),
+    Line("compare_errors", f"tours, fr1 every 4th, hololens every 2nd beside COLMAP hurried: as many pictures; error larger on "
+         f"at most {MAX_WORSE}, by <= {MAX_ERROR_RATIO} x", errors, False),
+    Line("compare_counts", f"tours and fr1 every 4th beside COLMAP hurried: >= {MIN_COUNTS} x the landmarks and projections",
+         counts, False),
 ]
