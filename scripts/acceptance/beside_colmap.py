@@ -52,15 +52,15 @@ def errors(_quick):
 
 
 def counts(_quick):
-    """Where both have all pictures: COLMAP's counts of a part say nothing."""
+    """But where COLMAP has a part of the pictures: its counts of that say nothing."""
     holds, parts = True, []
     for name, ours, theirs in beside_hurried():
-        if ours["registered"] != theirs["registered"]:
+        if theirs["registered"] < ours["registered"]:
             continue
         ratios = [ours[key] / theirs[key] for key in ("landmarks", "projections")]
         holds = holds and min(ratios) >= MIN_COUNTS
         parts.append(f"{name} {ratios[0]:.2f} and {ratios[1]:.2f}")
-    return holds, f"landmarks and projections, times COLMAP's: {', '.join(parts)}"
+    return holds and bool(parts), f"landmarks and projections, times COLMAP's: {', '.join(parts)}"
 
 
 LINES = [

@@ -56,7 +56,8 @@ class MapKeeper {
   bool ApplyDueResults();  // false: none was
   // Whether links join the map of a session, of several sessions or of laps of one.
   bool IsLinked(SessionId id) const { return list_.HasLinks(list_.PlaceOf(id).map); }
-  // The final adjustment of the map of a session, if links join it; of all maps. Waits for it.
+  // The final adjustment of the map of a session, if links join it; of all maps, and then of those
+  // that matches which waited for it have changed. Waits for it.
   void AdjustFinally(SessionId of) { AdjustMapOf(list_.PlaceOf(of).map); }
   void AdjustAllFinally();
   // No more frames come: what waits gives up, with the reason.
