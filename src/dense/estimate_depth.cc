@@ -1,9 +1,10 @@
 #include "rovio_sfm/dense/estimate_depth.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+
+#include "rovio_sfm/dense/project_depth.h"
 
 namespace rovio_sfm {
 namespace {
@@ -11,7 +12,6 @@ namespace {
 constexpr size_t kMinNeighbors = 2;
 constexpr double kPixelsPerPlane = 0.75;
 constexpr float kNothing = -1.0f;  // of a correlation
-constexpr int kFlank = 2;          // planes beside the best that are of the same peak
 
 // Sums over the windows of a picture's brightness (CV_8U), as integers, so exactly (CV_32S).
 struct WindowSums {
@@ -31,10 +31,9 @@ float SpreadOf(int count, int sum, int squares) {
 
 // Pixels of the neighbour from pixels of the view, for points on a plane z = depth of the view.
 cv::Mat PixelsOnPlane(const DepthView& view, const DepthView& neighbor, double inverse_depth) {
-  const Rigid3 neighbor_from_view = neighbor.cam_from_map * Inverse(view.cam_from_map);
-  Eigen::Matrix3d rays = neighbor_from_view.rotation.toRotationMatrix();
-  rays.col(2) += neighbor_from_view.translation * inverse_depth;
-  const Eigen::Matrix3d pixels = neighbor.pixel_from_ray * rays * view.pixel_from_ray.inverse();
+  const PixelTransfer transfer = TransferPixels(neighbor, view);
+  Eigen::Matrix3d pixels = transfer.turn;
+  pixels.col(2) += transfer.shift * inverse_depth;
   cv::Mat matrix(3, 3, CV_64F);
   for (int i = 0; i < 9; ++i) matrix.at<double>(i / 3, i % 3) = pixels(i / 3, i % 3);
   return matrix;
@@ -152,12 +151,7 @@ double DepthOfScores(const std::vector<float>& scores, const std::vector<double>
   const auto count = static_cast<int>(scores.size());
   if (best == 0 || best + 1 == count) return 0.0;
   if (scores[static_cast<size_t>(best)] < options.min_correlation) return 0.0;
-  float next = kNothing;
-  for (int i = 0; i < count; ++i) {
-    if (std::abs(i - best) > kFlank) next = std::max(next, scores[static_cast<size_t>(i)]);
-  }
   const auto at = static_cast<size_t>(best);
-  if (scores[at] - next < options.min_margin) return 0.0;
   const double offset = PeakOffset(scores[at - 1], scores[at], scores[at + 1]);
   return 1.0 / (planes[at] + offset * (planes[1] - planes[0]));
 }

@@ -58,12 +58,12 @@ Eigen::Vector3f NormalAt(const DepthView& view, const DepthMap& depth, int row, 
   return to_below.cross(to_right).normalized().cast<float>();
 }
 
-void AddView(const DepthView& view, const DepthMap& depth, uint32_t index, double voxel,
-             VoxelGrid* grid) {
+void AddView(const DepthView& view, const DepthMap& depth, const cv::Mat& telling, uint32_t index,
+             double voxel, VoxelGrid* grid) {
   for (int row = 0; row < depth.rows; ++row) {
     for (int col = 0; col < depth.cols; ++col) {
       const float here = depth.at<float>(row, col);
-      if (here <= 0.0f) continue;
+      if (here <= 0.0f || telling.at<uchar>(row, col) == 0) continue;
       const Eigen::Vector3d x = PointOfPixel(view, {col, row}, here);
       Voxel& sum = (*grid)[KeyOf(x, voxel)];
       const cv::Vec3b& bgr = view.bgr.at<cv::Vec3b>(row, col);
@@ -105,17 +105,15 @@ DensePoint PointOf(const Voxel& sum) {
 }  // namespace
 
 PointCloud FuseDepths(const std::vector<DepthView>& views, const std::vector<DepthMap>& depths,
-                      const FusionOptions& options) {
+                      const std::vector<cv::Mat>& telling, const FusionOptions& options) {
   VoxelGrid grid;
   for (size_t i = 0; i < views.size(); ++i) {
-    AddView(views[i], depths[i], static_cast<uint32_t>(i), options.voxel, &grid);
+    AddView(views[i], depths[i], telling[i], static_cast<uint32_t>(i), options.voxel, &grid);
   }
-  std::map<VoxelKey, const Voxel*> kept;
-  for (const auto& [key, voxel] : grid) {
-    if (voxel.num_views >= static_cast<uint32_t>(options.min_views)) kept[key] = &voxel;
-  }
+  std::map<VoxelKey, const Voxel*> ordered;
+  for (const auto& [key, voxel] : grid) ordered[key] = &voxel;
   PointCloud cloud;
-  for (const auto& [key, voxel] : kept) {
+  for (const auto& [key, voxel] : ordered) {
     DensePoint point = PointOf(*voxel);
     const uint32_t num_through =
         CountLookThrough(point.position.cast<double>(), views, depths, options.free_gap);

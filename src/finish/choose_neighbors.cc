@@ -13,7 +13,9 @@ namespace {
 
 constexpr size_t kMinPoints = 10;
 constexpr double kOutlierShare = 0.02;  // of the depths at both ends of the range
-constexpr double kRoom = 1.3;           // beyond the nearest and the farthest point
+constexpr double kNearRoom = 1.3;       // before the nearest point
+// Behind the farthest: pictures of far surfaces have few points, and planes are few there.
+constexpr double kFarRoom = 3.25;
 
 std::vector<std::vector<uint32_t>> PointsByImage(const MapModel& model) {
   std::vector<std::vector<uint32_t>> points(model.images.size());
@@ -33,8 +35,9 @@ void SetRange(const MapModel& model, const ModelImage& image, const std::vector<
   if (depths.size() < kMinPoints) return;
   std::sort(depths.begin(), depths.end());
   const auto cut = static_cast<size_t>(kOutlierShare * static_cast<double>(depths.size()));
-  surroundings->near = depths[cut] / kRoom;
-  surroundings->far = depths[depths.size() - 1 - cut] * kRoom;
+  surroundings->near = depths[cut] / kNearRoom;
+  surroundings->far = depths[depths.size() - 1 - cut] * kFarRoom;
+  surroundings->typical = depths[depths.size() / 2];
 }
 
 // How well two pictures from there measure a point: by the angle under which both see it, and by

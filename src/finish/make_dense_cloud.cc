@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 
 #include "rovio_sfm/util/median.h"
 
@@ -25,6 +26,7 @@ std::vector<DepthView> ReadViews(const MapModel& model, const ReadPicture& read,
     DepthView view = MakeDepthView(*picture, model.cameras[model.images[i].camera]);
     view.cam_from_map = model.images[i].cam_from_map;
     view.near = surroundings[i].near, view.far = surroundings[i].far;
+    view.typical = surroundings[i].typical;
     view_of[i] = static_cast<uint32_t>(views.size());
     image_of.push_back(i);
     views.push_back(std::move(view));
@@ -42,40 +44,71 @@ std::vector<DepthView> ReadViews(const MapModel& model, const ReadPicture& read,
   return views;
 }
 
-std::vector<const DepthView*> NeighborsOf(const std::vector<DepthView>& views, size_t view) {
-  std::vector<const DepthView*> neighbors;
-  for (const uint32_t other : views[view].neighbors) neighbors.push_back(&views[other]);
-  return neighbors;
+// What the neighbours of a view have, of one for every view.
+template <typename OfView>
+std::vector<const OfView*> OfNeighbors(const DepthView& view, const std::vector<OfView>& of_views) {
+  std::vector<const OfView*> theirs;
+  for (const uint32_t other : view.neighbors) theirs.push_back(&of_views[other]);
+  return theirs;
 }
 
-// Runs a step of every view; empty where the progress ended it.
+// Whether to go on, asked after each view.
+using GoesOn = std::function<bool()>;
+
+// The results of a step for every view; empty where the progress ended it.
 template <typename Step>
-std::vector<DepthMap> ForAllViews(size_t num_views, const Step& step, Executor* executor,
-                                  const std::function<bool()>& goes_on) {
-  std::vector<DepthMap> maps;
-  TaskGroup<DepthMap> tasks(executor);
+auto ForAllViews(size_t num_views, const Step& step, Executor* executor, const GoesOn& goes_on) {
+  using Result = std::invoke_result_t<Step, size_t>;
+  std::vector<Result> results;
+  TaskGroup<Result> tasks(executor);
   for (size_t i = 0; i < num_views; ++i) tasks.Add([&step, i] { return step(i); });
   while (tasks.NumPending() > 0) {
-    maps.push_back(tasks.TakeNext());
-    if (!goes_on()) return {};
+    results.push_back(tasks.TakeNext());
+    if (!goes_on()) return std::vector<Result>();
   }
-  return maps;
+  return results;
 }
 
-std::vector<DepthMap> CheckAll(const std::vector<DepthView>& views,
-                               const std::vector<DepthMap>& depths, const AgreementOptions& options,
-                               Executor* executor) {
-  const auto check = [&](size_t i) {
-    std::vector<const DepthMap*> theirs;
-    for (const uint32_t other : views[i].neighbors) theirs.push_back(&depths[other]);
-    return KeepAgreed(views[i], depths[i], NeighborsOf(views, i), theirs, options);
+std::vector<DepthMap> EstimateAll(const std::vector<DepthView>& views, const SweepOptions& options,
+                                  Executor* executor, const GoesOn& goes_on) {
+  const auto estimate = [&](size_t i) {
+    auto neighbors = OfNeighbors(views[i], views);
+    neighbors.resize(std::min(neighbors.size(), options.max_neighbors));
+    return EstimateDepth(views[i], neighbors, options);
   };
-  return ForAllViews(views.size(), check, executor, [] { return true; });
+  return ForAllViews(views.size(), estimate, executor, goes_on);
+}
+
+// What views agree on, on its surfaces.
+std::vector<MeasuredDepth> CheckAll(const std::vector<DepthView>& views,
+                                    const std::vector<DepthMap>& depths,
+                                    const DenseOptions& options, Executor* executor,
+                                    const GoesOn& goes_on) {
+  const auto check = [&](size_t i) {
+    const MeasuredDepth agreed = KeepAgreed(views[i], depths[i], OfNeighbors(views[i], views),
+                                            OfNeighbors(views[i], depths), options.agreement);
+    return SmoothDepth(agreed, options.smoothing);
+  };
+  return ForAllViews(views.size(), check, executor, goes_on);
+}
+
+// Each point by those who see it best.
+PointCloud FuseAll(const std::vector<DepthView>& views, const std::vector<MeasuredDepth>& checked,
+                   const CertaintyOptions& certainty, const FusionOptions& fusion,
+                   Executor* executor) {
+  const auto choose = [&](size_t i) {
+    return FindMostCertain(views[i], checked[i], OfNeighbors(views[i], views),
+                           OfNeighbors(views[i], checked), certainty);
+  };
+  const auto telling = ForAllViews(views.size(), choose, executor, [] { return true; });
+  std::vector<DepthMap> depths;
+  for (const MeasuredDepth& measured : checked) depths.push_back(measured.depth);
+  return FuseDepths(views, depths, telling, fusion);
 }
 
 double MedianDepth(const std::vector<DepthView>& views) {
   std::vector<double> depths;
-  for (const DepthView& view : views) depths.push_back(std::sqrt(view.near * view.far));
+  for (const DepthView& view : views) depths.push_back(view.typical);
   return Median(std::move(depths));
 }
 
@@ -87,16 +120,14 @@ PointCloud MakeDenseCloud(const MapModel& model, const ReadPicture& read,
   const std::vector<DepthView> views = ReadViews(model, read, options.neighbors);
   if (views.empty()) return {};
   size_t num_done = 0;
-  const auto goes_on = [&] { return !progress || progress(++num_done, views.size()); };
-  const auto estimate = [&](size_t i) {
-    return EstimateDepth(views[i], NeighborsOf(views, i), options.sweep);
-  };
-  const std::vector<DepthMap> depths = ForAllViews(views.size(), estimate, executor, goes_on);
+  const auto goes_on = [&] { return !progress || progress(++num_done, 2 * views.size()); };
+  const auto depths = EstimateAll(views, options.sweep, executor, goes_on);
   if (depths.empty()) return {};
-  const std::vector<DepthMap> agreed = CheckAll(views, depths, options.agreement, executor);
+  const auto checked = CheckAll(views, depths, options, executor, goes_on);
+  if (checked.empty()) return {};
   FusionOptions fusion = options.fusion;
   fusion.voxel = options.voxel_share * MedianDepth(views);
-  return FuseDepths(views, agreed, fusion);
+  return FuseAll(views, checked, options.certainty, fusion, executor);
 }
 
 }  // namespace rovio_sfm

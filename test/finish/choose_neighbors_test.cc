@@ -16,7 +16,10 @@ TEST(ChooseNeighbors, RangeHoldsWhatTheImageSees) {
   EXPECT_LT(surroundings[0].near, 1.6);
   EXPECT_GT(surroundings[0].near, 1.0);
   EXPECT_GT(surroundings[0].far, 4.0);
-  EXPECT_LT(surroundings[0].far, 6.0);
+  EXPECT_GT(surroundings[0].far, 2.0 * surroundings[0].typical);
+  EXPECT_LT(surroundings[0].far, 15.0);
+  EXPECT_GT(surroundings[0].typical, 1.6);
+  EXPECT_LT(surroundings[0].typical, 4.0);
 }
 
 TEST(ChooseNeighbors, PrefersTheAngleThatServesBest) {

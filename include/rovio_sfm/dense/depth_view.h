@@ -17,11 +17,19 @@ struct DepthView {
   Eigen::Matrix3d pixel_from_ray = Eigen::Matrix3d::Identity();  // pinhole, of the half size
   Rigid3 cam_from_map;
   double near = 0.0, far = 0.0;     // range of depths to look in, map units
+  double typical = 0.0;             // median depth of the landmarks that it sees, map units
   std::vector<uint32_t> neighbors;  // views that see the same from aside, the best first
 };
 
 // Depth along the optical axis in map units (CV_32F), 0 where it is not known.
 using DepthMap = cv::Mat;
+
+// A depth map and how well it is measured: how far a depth moves (map units, CV_32F) with an error
+// of one pixel.
+struct MeasuredDepth {
+  DepthMap depth;
+  cv::Mat sigma;
+};
 
 // Decodes a picture of the camera for the sweep. Throws std::runtime_error where the bytes are no
 // picture of the camera's size. Pose, range and neighbours are left to the caller.

@@ -8,7 +8,7 @@
 namespace rovio_sfm {
 
 struct NeighborOptions {
-  size_t max_neighbors = 6;
+  size_t max_neighbors = 40;
   size_t min_common = 15;  // points that both see
   // Of the angle at a point that two pictures see; outside of it they tell little, or look too
   // different.
@@ -19,6 +19,7 @@ struct NeighborOptions {
 // What the sweep of an image works with, from the points that it sees.
 struct ImageSurroundings {
   double near = 0.0, far = 0.0;  // depths, map units, with some room; 0: it sees too few points
+  double typical = 0.0;          // median depth
   // Indices of images, the one that tells most first, then what adds most to those before: together
   // they measure every part of the picture.
   std::vector<uint32_t> neighbors;
