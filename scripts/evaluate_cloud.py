@@ -23,7 +23,7 @@ NEAR_M = 0.05
 NEAR_SHARE = 0.03  # of the range
 MIN_CONTRAST = 8.0  # grey levels
 MIN_VIEWS = 3
-RANGES_M = (0, 1, 2, 3, 5, 100)
+RANGES_M = (0, 1, 2, 3, 4, 5, 7, 100)
 SURFACE = numpy.dtype([("x", "<f4", 3), ("color", "u1", 3), ("contrast", "<f4"), ("views", "<u4"), ("object", "<i4")])
 
 
