@@ -83,13 +83,13 @@ def watch(driver, master, port, quick):
 
 
 def live(quick):
-    bags, port = make_bags(quick), free_port()
+    bags, maps, port = make_bags(quick), fresh_folder("web/map"), free_port()  # a kept map would be gone on with
     with Master("web") as master, browser.browser() as driver:
         master.environment["ROSCONSOLE_STDOUT_LINE_BUFFERED"] = "1"  # its token is read from its log
         launched = master.start(
             "roslaunch", "rovio_sfm", "replay.launch", f"robot:={','.join(ROBOTS)}", "mode:=every",
             f"bag:={' '.join(map(str, bags))}", "web:=true", f"web_port:={port}", "web_control:=true",
-            f"output_dir:={WORK / 'web/map'}")
+            f"output_dir:={maps}")
         outcomes = watch(driver, master, port, quick)
         status = master.interrupt(launched)
         outcomes.append(("ends", status == 0, status))
