@@ -49,8 +49,7 @@ class Agreement {
   Agreement(const DepthView& view, const Eigen::Vector2d& x_px, double depth)
       : x_px_(x_px),
         depth_(depth),
-        point_(depth * (view.pixel_from_ray.triangularView<Eigen::Upper>().solve(
-                           Eigen::Vector3d(x_px.homogeneous())))),
+        point_(depth * RayOfPixel(view, x_px)),
         weight_(1.0 / (depth * depth)),
         sum_(depth * weight_) {}
 

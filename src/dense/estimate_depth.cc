@@ -30,8 +30,7 @@ float SpreadOf(int count, int sum, int squares) {
 }
 
 // Pixels of the neighbour from pixels of the view, for points on a plane z = depth of the view.
-cv::Mat PixelsOnPlane(const DepthView& view, const DepthView& neighbor, double inverse_depth) {
-  const PixelTransfer transfer = TransferPixels(neighbor, view);
+cv::Mat PixelsOnPlane(const PixelTransfer& transfer, double inverse_depth) {
   Eigen::Matrix3d pixels = transfer.turn;
   pixels.col(2) += transfer.shift * inverse_depth;
   cv::Mat matrix(3, 3, CV_64F);
@@ -46,6 +45,8 @@ class Correlator {
   Correlator(const DepthView& view, const std::vector<const DepthView*>& neighbors,
              const SweepOptions& options)
       : view_(view), neighbors_(neighbors), options_(options) {
+    for (const DepthView* neighbor : neighbors)
+      transfers_.push_back(TransferPixels(*neighbor, view));
     WindowSums sums;
     SumWindows(view.grey, options.window_px, &sums);
     sum_ = sums.values;
@@ -64,8 +65,8 @@ class Correlator {
     second_.create(view_.grey.size(), CV_32F);
     best_.setTo(kNothing);
     second_.setTo(kNothing);
-    for (const DepthView* neighbor : neighbors_) {
-      Add(neighbor->grey, PixelsOnPlane(view_, *neighbor, inverse_depth));
+    for (size_t i = 0; i < neighbors_.size(); ++i) {
+      Add(neighbors_[i]->grey, PixelsOnPlane(transfers_[i], inverse_depth));
     }
     cv::Mat score;
     if (neighbors_.size() == kMinNeighbors) {
@@ -113,6 +114,7 @@ class Correlator {
 
   const DepthView& view_;
   const std::vector<const DepthView*>& neighbors_;
+  std::vector<PixelTransfer> transfers_;  // to the neighbours
   const SweepOptions& options_;
   int count_ = options_.window_px * options_.window_px;  // pixels of a window
   cv::Mat sum_, spread_;                                 // of the view's windows

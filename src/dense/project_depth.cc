@@ -27,10 +27,13 @@ cv::Point NearestPixel(const Eigen::Vector2d& x_px) {
   return {static_cast<int>(std::lround(x_px.x())), static_cast<int>(std::lround(x_px.y()))};
 }
 
-Eigen::Vector3d PointOfPixel(const DepthView& view, const Eigen::Vector2d& x_px, double depth) {
+Eigen::Vector3d RayOfPixel(const DepthView& view, const Eigen::Vector2d& x_px) {
   const Eigen::Matrix3d& k = view.pixel_from_ray;
-  const Eigen::Vector3d ray((x_px.x() - k(0, 2)) / k(0, 0), (x_px.y() - k(1, 2)) / k(1, 1), 1.0);
-  return Inverse(view.cam_from_map) * (depth * ray);
+  return {(x_px.x() - k(0, 2)) / k(0, 0), (x_px.y() - k(1, 2)) / k(1, 1), 1.0};
+}
+
+Eigen::Vector3d PointOfPixel(const DepthView& view, const Eigen::Vector2d& x_px, double depth) {
+  return Inverse(view.cam_from_map) * (depth * RayOfPixel(view, x_px));
 }
 
 std::optional<SeenPoint> SeePoint(const DepthView& view, const Eigen::Vector3d& x_in_map) {

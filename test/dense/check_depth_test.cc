@@ -3,13 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "dense/textured_room.h"
+#include "rovio_sfm/dense/estimate_depth.h"
 
 namespace rovio_sfm {
 namespace {
-
-DepthMap Constant(const DepthView& view, float depth) {
-  return DepthMap(view.grey.size(), CV_32F, cv::Scalar(depth));
-}
 
 TEST(KeepAgreed, KeepsWhatTwoOthersHaveFound) {
   const auto views = ViewsOfWall(2.0);
@@ -29,6 +26,19 @@ TEST(KeepAgreed, UnknownDepthsConfirmNothing) {
   const DepthMap right = Constant(views[0], 2.0f), unknown = Constant(views[0], 0.0f);
   const std::vector<const DepthView*> others = {&views[1], &views[2]};
   EXPECT_EQ(cv::countNonZero(KeepAgreed(views[0], right, others, {&right, &unknown}, {}).depth), 0);
+}
+
+TEST(KeepAgreed, DropsWhatTheSweepFindsByChance) {
+  auto views = ViewsOfWall(2.5);
+  for (DepthView& view : views) view.near = 3.0, view.far = 6.0;
+  std::vector<DepthMap> depths;
+  for (size_t i = 0; i < views.size(); ++i) {
+    depths.push_back(EstimateDepth(views[i], NeighborsOf(views, i), {}));
+  }
+  std::vector<const DepthMap*> theirs;
+  for (const uint32_t other : views[0].neighbors) theirs.push_back(&depths[other]);
+  const MeasuredDepth agreed = KeepAgreed(views[0], depths[0], NeighborsOf(views, 0), theirs, {});
+  EXPECT_LT(cv::countNonZero(agreed.depth), 0.05 * static_cast<double>(agreed.depth.total()));
 }
 
 TEST(KeepAgreed, ViewsFromNearlyTheSameDirectionConfirmNothing) {

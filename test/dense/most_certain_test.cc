@@ -7,10 +7,6 @@
 namespace rovio_sfm {
 namespace {
 
-DepthMap Constant(const DepthView& view, float depth) {
-  return DepthMap(view.grey.size(), CV_32F, cv::Scalar(depth));
-}
-
 // Two views of one wall, from 4 m and from 2 m.
 struct FarAndNear {
   std::vector<DepthView> views = {ViewOfWall(0.0, 0.0, 4.0), ViewOfWall(0.0, 0.0, 2.0)};

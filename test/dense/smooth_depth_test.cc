@@ -8,7 +8,7 @@
 namespace rovio_sfm {
 namespace {
 
-constexpr float kSigma = 0.05f;  // map units, at 2 units' distance about half a percent of a pixel
+constexpr float kSigma = 0.05f;  // map units, of an error of one pixel
 
 // A depth map by inverse depth.
 MeasuredDepth Measured(const std::function<double(int col, int row)>& inverse) {

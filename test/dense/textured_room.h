@@ -59,6 +59,10 @@ inline std::vector<DepthView> ViewsOfWall(double depth) {
   return views;
 }
 
+inline DepthMap Constant(const DepthView& view, float depth) {
+  return DepthMap(view.grey.size(), CV_32F, cv::Scalar(depth));
+}
+
 inline std::vector<const DepthView*> NeighborsOf(const std::vector<DepthView>& views, size_t view) {
   std::vector<const DepthView*> neighbors;
   for (const uint32_t other : views[view].neighbors) neighbors.push_back(&views[other]);

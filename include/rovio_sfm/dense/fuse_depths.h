@@ -15,8 +15,7 @@ struct FusionOptions {
 
 // Depth maps, already checked, as one cloud: a point a voxel, the mean of what views found in it at
 // their pixels that tell (CV_8U, not 0), with normal and colour; points that views look through are
-// carved away. By voxel, so that the
-// order depends on nothing else.
+// carved away. By voxel, so that the order depends on nothing else.
 PointCloud FuseDepths(const std::vector<DepthView>& views, const std::vector<DepthMap>& depths,
                       const std::vector<cv::Mat>& telling, const FusionOptions& options);
 

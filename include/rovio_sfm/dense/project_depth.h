@@ -27,6 +27,9 @@ std::optional<Eigen::Vector2d> PlaceInPicture(const Eigen::Vector3d& transferred
 
 cv::Point NearestPixel(const Eigen::Vector2d& x_px);
 
+// Through a pixel (half size), in the view, at depth 1.
+Eigen::Vector3d RayOfPixel(const DepthView& view, const Eigen::Vector2d& x_px);
+
 // The point of a pixel (half size) at a depth, in the map.
 Eigen::Vector3d PointOfPixel(const DepthView& view, const Eigen::Vector2d& x_px, double depth);
 
