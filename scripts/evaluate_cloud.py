@@ -18,13 +18,16 @@ import numpy
 import open3d
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
+from scipy.special import erf
 
 NEAR_M = 0.05
 NEAR_SHARE = 0.03  # of the range
 MIN_CONTRAST = 8.0  # grey levels
 MIN_VIEWS = 3
 RANGES_M = (0, 1, 2, 3, 4, 5, 7, 100)
-SURFACE = numpy.dtype([("x", "<f4", 3), ("color", "u1", 3), ("contrast", "<f4"), ("views", "<u4"), ("object", "<i4")])
+MATCH_PX = 0.5  # about what the depth maps' correlation has
+SURFACE = numpy.dtype([("x", "<f4", 3), ("color", "u1", 3), ("contrast", "<f4"), ("views", "<u4"), ("sigma", "<f4"),
+                       ("object", "<i4")])
 
 
 def read_surface(path):
@@ -47,6 +50,12 @@ def on_objects(samples, names, prefix):
 def shown_with_contrast(samples):
     """Which points of a surface enough keyframes see, and not as plain."""
     return (samples["contrast"] >= MIN_CONTRAST) & (samples["views"] >= MIN_VIEWS)
+
+
+def expected_within(samples, reach_m):
+    """The probability, point by point, that its place is found within a reach if every picture that sees it is off by
+    MATCH_PX: what the drive allows."""
+    return erf(reach_m / (MATCH_PX * samples["sigma"] * numpy.sqrt(2)))
 
 
 def read_points(path):

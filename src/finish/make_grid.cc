@@ -12,8 +12,6 @@
 namespace rovio_sfm {
 namespace {
 
-constexpr double kMaxExtent_m = 200.0;  // a stray point does not make a grid of a town
-
 // How often rays, and points, fell into cells.
 class CellCounts {
  public:
@@ -125,17 +123,23 @@ bool IsInBand(double height_m, const GridOptions& options) {
   return height_m >= options.min_height_m && height_m <= options.max_height_m;
 }
 
-// Cameras, and points in the band near them.
-Eigen::AlignedBox2d AreaOf(const MapModel& model, const Floor& floor, const GridOptions& options) {
+// Cameras, and points in the band not too far from them: a stray one does not make a grid of a
+// town.
+Eigen::AlignedBox2d AreaOf(const MapModel& model, const PointCloud* dense, const Floor& floor,
+                           const GridOptions& options) {
   Eigen::AlignedBox2d cameras;
   for (const ModelImage& image : model.images)
     cameras.extend(OriginInA(image.cam_from_map).head<2>());
-  const double reach_m = std::min(options.max_range_m, kMaxExtent_m);
   Eigen::AlignedBox2d area = cameras;
-  for (const ModelPoint& point : model.points) {
-    const Eigen::Vector2d x = point.x_in_map.head<2>();
-    if (IsInBand(floor.HeightOf(point.x_in_map), options) && cameras.exteriorDistance(x) < reach_m)
-      area.extend(x);
+  const auto extend = [&](const Eigen::Vector3d& x) {
+    const Eigen::Vector2d place = x.head<2>();
+    if (IsInBand(floor.HeightOf(x), options) &&
+        cameras.exteriorDistance(place) < options.max_reach_m)
+      area.extend(place);
+  };
+  for (const ModelPoint& point : model.points) extend(point.x_in_map);
+  if (dense != nullptr) {
+    for (const DensePoint& point : *dense) extend(point.position.cast<double>());
   }
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(options.margin_m);
   return {area.min() - margin, area.max() + margin};
@@ -188,7 +192,7 @@ OccupancyGridMap MakeGrid(const MapModel& model, const PointCloud* dense,
   }
   if (model.images.empty()) return {};
   const Floor floor = FindFloor(model, dense);
-  CellCounts counts(AreaOf(model, floor, options), options.resolution_m);
+  CellCounts counts(AreaOf(model, dense, floor, options), options.resolution_m);
   AddRays(model, floor, options, &counts);
   if (dense != nullptr) AddDense(*dense, floor, options, &counts);
   for (const ModelImage& image : model.images) {

@@ -43,7 +43,7 @@ TEST(KeepAgreed, DropsWhatTheSweepFindsByChance) {
 
 TEST(KeepAgreed, ViewsFromNearlyTheSameDirectionConfirmNothing) {
   std::vector<DepthView> views;
-  for (const double x : {0.0, 0.04, -0.04, 0.2}) views.push_back(ViewOfWall(x, 0.0, 2.0));
+  for (const double x : {0.0, 0.02, -0.02, 0.2}) views.push_back(ViewOfWall(x, 0.0, 2.0));
   const DepthMap right = Constant(views[0], 2.0f);
   const auto count = [&](const DepthView& other) {
     return cv::countNonZero(

@@ -71,6 +71,15 @@ TEST(MakeGrid, ADenseCloudOccupiesToo) {
   EXPECT_EQ(CellAt(MakeGrid(SmallRoom(), &dense, {}), 2.02, -0.78), GridCell::kOccupied);
 }
 
+TEST(MakeGrid, ReachesAsFarAsADenseCloudDoes) {
+  PointCloud dense;
+  for (int i = 0; i < 3; ++i) dense.push_back({{9.02f, 5.02f, 0.2f}, {}, {}, 3});
+  for (int i = 0; i < 3; ++i) dense.push_back({{0.02f, 50.0f, 0.2f}, {}, {}, 3});  // astray
+  const OccupancyGridMap grid = MakeGrid(SmallRoom(), &dense, {});
+  EXPECT_EQ(CellAt(grid, 9.02, 5.02), GridCell::kOccupied);
+  EXPECT_LT(grid.origin_m.y() + grid.height * grid.resolution_m, 6.0);
+}
+
 TEST(MakeGrid, RefusesMapUnitsAndIsEmptyWithoutImages) {
   MapModel model = SmallRoom();
   model.length_unit = "map units";

@@ -10,7 +10,7 @@ struct AgreementOptions {
   int min_views = 2;             // others that must have found the same point
   double max_gap = 0.05;         // relative, of depths that are the same
   double max_shift_px = 1.0;     // at half size, of the pixel carried there and back
-  double min_angle_rad = 0.035;  // 2 deg, under which the view and one of them see the point
+  double min_angle_rad = 0.018;  // 1 deg, under which the view and one of them see the point
 };
 
 // The depths of a view that enough of the other views have found too: the point projected into the

@@ -5,7 +5,7 @@
 namespace rovio_sfm {
 
 struct SmoothingOptions {
-  int radius_px = 10, stride_px = 2;  // of the window, at half size, and between the pixels taken
+  int radius_px = 15, stride_px = 3;  // of the window, at half size, and between the pixels taken
   double reach_px = 1.0;              // a depth's error, beyond which it is of something else
   int min_pixels = 12;                // of the same surface
 };

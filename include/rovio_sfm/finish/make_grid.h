@@ -13,10 +13,11 @@ struct GridOptions {
   double resolution_m = 0.05;
   double min_height_m = 0.04, max_height_m = 0.40;  // above the floor: what a Rovio runs into
   double max_range_m = 4.0;                         // of a ray that frees cells
-  double robot_radius_m = 0.15;                     // free where it stood
-  int min_points = 2;                               // in a cell, to be occupied
-  double min_free = 3;                              // rays through a cell, to be free
-  double margin_m = 0.5;                            // round all that is known
+  double max_reach_m = 10.0;     // of points from the cameras: the grid ends there
+  double robot_radius_m = 0.15;  // free where it stood
+  int min_points = 2;            // in a cell, to be occupied
+  double min_free = 3;           // rays through a cell, to be free
+  double margin_m = 0.5;         // round all that is known
 };
 
 enum class GridCell : int8_t {

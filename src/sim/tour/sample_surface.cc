@@ -1,5 +1,6 @@
 #include "rovio_sfm/sim/tour/sample_surface.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -91,9 +92,20 @@ std::optional<cv::Point> FindPixel(const ImageRenderer& renderer, const Picture&
   return pixel;
 }
 
+// What a picture tells about a point: the inverse of its covariance (1/m^2), for an error of 1 px.
+Eigen::Matrix3d InformationOf(const Camera& camera, const Picture& picture,
+                              const Eigen::Vector3f& x_in_world) {
+  const Eigen::Vector3d from_centre =
+      x_in_world.cast<double>() - OriginInA(picture.camera_from_world);
+  const Eigen::Vector3d ray = from_centre.normalized();
+  const double px_per_m = 0.5 * (camera.fx + camera.fy) / from_centre.norm();
+  return px_per_m * px_per_m * (Eigen::Matrix3d::Identity() - ray * ray.transpose());
+}
+
 // Adds what the pictures see of it.
 SurfaceSample Look(const ImageRenderer& renderer, const std::vector<Picture>& pictures,
                    SurfaceSample sample) {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   for (const Picture& picture : pictures) {
     const std::optional<cv::Point> pixel = FindPixel(renderer, picture, sample.x_in_world);
     if (!pixel) continue;
@@ -103,7 +115,11 @@ SurfaceSample Look(const ImageRenderer& renderer, const std::vector<Picture>& pi
     }
     ++sample.num_views;
     sample.contrast += picture.contrast.at<float>(*pixel);
+    information += InformationOf(renderer.camera(), picture, sample.x_in_world);
   }
+  const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(information).eigenvalues()[0];
+  if (sample.num_views > 1 && least > 0.0)
+    sample.sigma_m = static_cast<float>(1.0 / std::sqrt(least));
   sample.contrast /= static_cast<float>(std::max(sample.num_views, 1u));
   return sample;
 }
@@ -137,12 +153,14 @@ std::string SurfacePlyBytes(const std::vector<SurfaceSample>& samples, const Wor
   bytes += "element vertex " + std::to_string(samples.size()) +
            "\nproperty float x\nproperty float y\nproperty float z\n"
            "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-           "property float contrast\nproperty uint views\nproperty int object\nend_header\n";
+           "property float contrast\nproperty uint views\nproperty float sigma\nproperty int "
+           "object\nend_header\n";
   for (const SurfaceSample& sample : samples) {
     for (int i = 0; i < 3; ++i) Append(sample.x_in_world(i), &bytes);
     for (const uint8_t channel : sample.color) Append(channel, &bytes);
     Append(sample.contrast, &bytes);
     Append(sample.num_views, &bytes);
+    Append(sample.sigma_m, &bytes);
     Append(sample.object, &bytes);
   }
   return bytes;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "rovio_sfm/sim/robot/robot_body.h"
 #include "rovio_sfm/sim/world/load_world.h"
 #include "sim/world/small_world.h"
@@ -38,9 +40,47 @@ TEST(SampleSurface, IsWhatTheCamerasSeeAndCountsThem) {
     on_crates += is_crate ? 1u : 0u;
   }
   EXPECT_GT(on_crates, 5u);
+  // Two pictures from the same place tell no depth.
+  for (const SurfaceSample& sample : samples) EXPECT_GT(sample.sigma_m, 1e3f);
   const std::string bytes = SurfacePlyBytes(samples, world.spec());
-  EXPECT_EQ(bytes.size() - bytes.find("end_header\n") - 11, samples.size() * 27);
+  EXPECT_EQ(bytes.size() - bytes.find("end_header\n") - 11, samples.size() * 31);
   EXPECT_NE(bytes.find("comment object 1 crate\n"), std::string::npos);
+}
+
+TEST(SampleSurface, TellsHowWellPicturesFromAsideMeasure) {
+  const TemporaryFolder temp;
+  const World world(LoadWorld(temp.Write("small.yaml", SmallWorldYaml()).string()));
+  SimulatedTour tour =
+      SimulateTour(LoadTour(temp.Write("short.yaml", SmallTourYaml()).string()), SlipOptions(), 1);
+  tour.frames.resize(1);
+  const Rigid3 first = tour.frames[0].world_from_camera;
+  TourFrame aside = tour.frames[0];
+  aside.world_from_camera.translation += first.rotation * Eigen::Vector3d(0.2, 0.0, 0.0);
+  tour.frames.push_back(aside);
+  RenderOptions render;
+  render.samples_per_side = 1;
+  const ImageRenderer renderer(world, RovioCamera(), render);
+  SampleSurfaceOptions options;
+  options.spacing_m = 0.1;
+  options.step_px = 16;
+  size_t num_seen_by_both = 0;
+  for (const SurfaceSample& sample : SampleSurface(renderer, tour, {}, options)) {
+    if (sample.num_views < 2) {
+      EXPECT_TRUE(std::isinf(sample.sigma_m));
+      continue;
+    }
+    ++num_seen_by_both;
+    // Of two rays at an angle: sigma = 1 px x distance / (focal length x sine of half of it x
+    // sqrt 2), with the same distance for both.
+    const Eigen::Vector3d x = sample.x_in_world.cast<double>();
+    const Eigen::Vector3d a = x - first.translation, b = x - aside.world_from_camera.translation;
+    const double half_angle = 0.5 * std::acos(a.normalized().dot(b.normalized()));
+    const double distance = 0.5 * (a.norm() + b.norm());
+    const double expected =
+        distance / (renderer.camera().fx * std::sqrt(2.0) * std::sin(half_angle));
+    EXPECT_NEAR(sample.sigma_m / expected, 1.0, 0.1);
+  }
+  EXPECT_GT(num_seen_by_both, 20u);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,9 @@ struct SurfaceSample {
   std::array<uint8_t, 3> color{};                        // RGB, of the first picture that sees it
   float contrast = 0.0f;   // standard deviation in 9 x 9 px, grey levels, mean of the pictures
   uint32_t num_views = 0;  // pictures that see it
-  int32_t object = -1;     // index into the world's objects, or -1 for a lamp
+  // How far an error of 1 px in each of them moves it along its worst direction; infinite of one.
+  float sigma_m = std::numeric_limits<float>::infinity();
+  int32_t object = -1;  // index into the world's objects, or -1 for a lamp
 };
 
 struct SampleSurfaceOptions {
@@ -32,8 +35,8 @@ std::vector<SurfaceSample> SampleSurface(const ImageRenderer& renderer, const Si
                                          const DevelopOptions& develop,
                                          const SampleSurfaceOptions& options);
 
-// The bytes of a binary little-endian PLY: x y z red green blue contrast views object; a comment
-// "object INDEX NAME" for each object of the world.
+// The bytes of a binary little-endian PLY: x y z red green blue contrast views sigma object; a
+// comment "object INDEX NAME" for each object of the world.
 std::string SurfacePlyBytes(const std::vector<SurfaceSample>& samples, const WorldSpec& world);
 
 }  // namespace rovio_sfm::sim
