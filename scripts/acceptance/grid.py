@@ -1,4 +1,6 @@
-"""The line about the occupancy grid of a tour, against the simulator's true surfaces."""
+"""The lines about the occupancy grids of tours, against the simulator's true surfaces."""
+
+import functools
 
 import cv2
 import numpy
@@ -8,7 +10,7 @@ from scipy.spatial import cKDTree
 from acceptance.common import NOISE, PROGRAMS, WORK, Line, map_images, render_tour, run
 from evaluate_cloud import expected_within, fit_similarity, read_centres, read_surface, shown_with_contrast
 
-TOUR = "engineRoom0"
+TOURS = ("visionlab", "pipeline", "engineRoom0", "engineRoom1", "industrialArea", "turntable")
 MIN_FREE_TRUE, MIN_FLOOR_FREE, MIN_OCCUPIED_TRUE, MIN_WALLS_MARKED = 0.95, 0.60, 0.80, 0.80
 BAND_M, FLOOR_M = (0.04, 0.40), 0.02  # heights of what stands in the way, and of the floor
 NEAR_PATH_M, NEAR_SURFACE_M = 2.0, 0.10
@@ -24,14 +26,14 @@ def read_grid(folder):
     return cells, numpy.array(spec["origin"][:2]), spec["resolution"]
 
 
-def truth_in_map(folder, truth_folder):
+def truth_in_map(tour, folder, truth_folder):
     """The true surface's samples, their points in the map's frame, and the path's points."""
     estimate, truth = read_centres(folder / "trajectory.txt"), read_centres(truth_folder / "groundtruth.txt")
     stamps = sorted(set(estimate) & set(truth), key=float)
     path = numpy.array([estimate[s] for s in stamps])
     scale, rotation, shift = fit_similarity(numpy.array([truth[s] for s in stamps]), path)
-    surface = WORK / f"grid/{TOUR}_surface.ply"
-    run(PROGRAMS / "rovio_sim", "--surface", TOUR, "--camera", "plain", "--seed", 1, "--out", surface, "--overwrite")
+    surface = WORK / f"grid/{tour}_surface.ply"
+    run(PROGRAMS / "rovio_sim", "--surface", tour, "--camera", "plain", "--seed", 1, "--out", surface, "--overwrite")
     samples, _ = read_surface(surface)
     return samples, scale * samples["x"].astype(float) @ rotation.T + shift, path
 
@@ -47,11 +49,11 @@ def shares_of_walls(walls, expected, occupied, path):
     return marked.mean(), marked[near].mean(), can_be.mean()
 
 
-def grid(_quick):
-    truth_folder = render_tour(TOUR, NOISE, 1)
-    map_images("grid/map", [truth_folder], "--format", "tum,dense,grid")
-    cells, origin, resolution = read_grid(WORK / "grid/map")
-    samples, points, path = truth_in_map(WORK / "grid/map", truth_folder)
+def grid(tour, _quick):
+    truth_folder, folder = render_tour(tour, NOISE, 1), WORK / f"grid/{tour}"
+    map_images(f"grid/{tour}", [truth_folder], "--format", "tum,dense,grid")
+    cells, origin, resolution = read_grid(folder)
+    samples, points, path = truth_in_map(tour, folder, truth_folder)
     heights = samples["x"][:, 2]
     in_band = (heights > BAND_M[0]) & (heights < BAND_M[1])
 
@@ -79,4 +81,5 @@ def grid(_quick):
                    f"{100 * walls_expected:.1f} % can be expected by half a pixel)")
 
 
-LINES = [Line("grid", f"the occupancy grid of {TOUR}, read as map_server reads it", grid, False)]
+LINES = [Line(f"grid_{tour}", f"the occupancy grid of {tour}, read as map_server reads it", functools.partial(grid, tour), False)
+         for tour in TOURS]

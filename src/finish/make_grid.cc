@@ -48,7 +48,7 @@ class CellCounts {
 
   // A cell that many more rays pass than points lie in is free: what stands there is thin or wrong.
   OccupancyGridMap Judge(const GridOptions& options) const {
-    constexpr double kRaysPerPoint = 4.0;
+    constexpr double kRaysPerPoint = 10.0;
     OccupancyGridMap grid{resolution_m_, origin_m_, width_, height_, {}};
     for (size_t i = 0; i < rays_.size(); ++i) {
       const bool occupied =

@@ -15,7 +15,7 @@ struct GridOptions {
   double max_range_m = 4.0;                         // of a ray that frees cells
   double max_reach_m = 10.0;     // of points from the cameras: the grid ends there
   double robot_radius_m = 0.15;  // free where it stood
-  int min_points = 2;            // in a cell, to be occupied
+  int min_points = 3;            // in a cell, to be occupied
   double min_free = 3;           // rays through a cell, to be free
   double margin_m = 0.5;         // round all that is known
 };
