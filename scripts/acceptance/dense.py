@@ -24,6 +24,7 @@ def dense_files(tour):
     return out, WORK / name, summary["registered_keyframes"], cost.cpu_s
 
 
+@functools.lru_cache(maxsize=None)
 def true_surface(tour):
     path = WORK / f"dense/{tour}_surface.ply"
     path.parent.mkdir(parents=True, exist_ok=True)

@@ -7,7 +7,8 @@ import numpy
 import yaml
 from scipy.spatial import cKDTree
 
-from acceptance.common import NOISE, PROGRAMS, WORK, Line, map_images, render_tour, run
+from acceptance.common import NOISE, WORK, Line, map_images, render_tour
+from acceptance.dense import true_surface
 from evaluate_cloud import expected_within, fit_similarity, read_centres, read_surface, shown_with_contrast
 
 TOURS = ("visionlab", "pipeline", "engineRoom0", "engineRoom1", "industrialArea", "turntable")
@@ -32,9 +33,7 @@ def truth_in_map(tour, folder, truth_folder):
     stamps = sorted(set(estimate) & set(truth), key=float)
     path = numpy.array([estimate[s] for s in stamps])
     scale, rotation, shift = fit_similarity(numpy.array([truth[s] for s in stamps]), path)
-    surface = WORK / f"grid/{tour}_surface.ply"
-    run(PROGRAMS / "rovio_sim", "--surface", tour, "--camera", "plain", "--seed", 1, "--out", surface, "--overwrite")
-    samples, _ = read_surface(surface)
+    samples, _ = read_surface(true_surface(tour))
     return samples, scale * samples["x"].astype(float) @ rotation.T + shift, path
 
 
