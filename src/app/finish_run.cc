@@ -94,6 +94,7 @@ void Tell(const RunToFinish& finish, const MapRun& run, const std::vector<Writte
       << run.snapshot->sessions.size() << " sessions; " << (maps.empty() ? 0 : maps[0].num_images)
       << " images posed in the largest map, in "
       << (!maps.empty() && maps[0].is_metric ? "metres" : "map units") << "\n";
+  out << RefinedCameras(run);
   const std::string why = WhyInMapUnits(run);
   if (!maps.empty() && !why.empty()) out << "not metric: " << why << "\n";
   for (const WrittenMap& map : maps) {

@@ -3,9 +3,11 @@
 #include <sys/resource.h>
 
 #include <cmath>
+#include <iomanip>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <sstream>
 
 #include "rovio_sfm/report/evaluation.h"
 #include "rovio_sfm/report/evaluation_json.h"
@@ -71,6 +73,31 @@ void AddSessions(const MapSnapshot& snapshot, Json* json) {
   }
   (*json)["sessions"] = num_sessions;
   (*json)["maps"] = maps.size();
+}
+
+std::vector<const SessionSnapshot*> RefinedSessions(const MapSnapshot& snapshot) {
+  std::vector<const SessionSnapshot*> refined;
+  for (const SessionSnapshot& session : snapshot.sessions) {
+    if (!session.frames.empty() && !(session.camera == session.given_camera)) {
+      refined.push_back(&session);
+    }
+  }
+  return refined;
+}
+
+// The calibrations that pictures told otherwise.
+Json RefinedCamerasJson(const MapSnapshot& snapshot) {
+  Json cameras = Json::array();
+  for (const SessionSnapshot* session : RefinedSessions(snapshot)) {
+    const Camera& camera = session->camera;
+    cameras.push_back({{"robot", session->drive.robot},
+                       {"session", session->id.value},
+                       {"fx", camera.fx},
+                       {"fy", camera.fy},
+                       {"cx", camera.cx},
+                       {"cy", camera.cy}});
+  }
+  return cameras;
 }
 
 void AddStatistics(const MapStatistics& statistics, Json* json) {
@@ -200,6 +227,18 @@ std::string WhyInMapUnits(const MapRun& run) {
   return run.why_no_scale.empty() ? WhyNoScale(run.motion) : run.why_no_scale;
 }
 
+std::string RefinedCameras(const MapRun& run) {
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(2) << std::showpos;
+  for (const SessionSnapshot* session : RefinedSessions(*run.snapshot)) {
+    const Camera &given = session->given_camera, &camera = session->camera;
+    out << session->drive.robot << ": the pictures correct the calibration: focal length "
+        << 100.0 * (camera.fx / given.fx - 1.0) << " %, centre (" << camera.cx - given.cx << ", "
+        << camera.cy - given.cy << ") px\n";
+  }
+  return out.str();
+}
+
 Json MapSummaryJson(const MapRun& run) {
   const std::optional<LevelMap> map = FindLargestMap(*run.snapshot);
   Json json;
@@ -209,6 +248,7 @@ Json MapSummaryJson(const MapRun& run) {
   json["images_without_pose"] = ImagesWithoutPose(run);
   AddErrors(map, run, &json);
   AddOdometryDelay(map, run, &json);
+  json["refined_cameras"] = RefinedCamerasJson(*run.snapshot);
   json["matching"] = FunnelJson(run.funnel);
   json["mapper"] = MapperJson(run);
   json["merges"] = MergesJson(run.merges);

@@ -180,7 +180,7 @@ void Mapper::Finish() {
   FinishDrives();
   for (const SessionId id : std::exchange(rejoined_, {})) {
     Session* session = keeper_.LendSessions()->Lend(id);
-    if (!keeper_.IsLinked(id)) AdjustFinally(options_, session);
+    if (!keeper_.IsLinked(id)) AdjustWithCamera(options_, session);
     RefineLightFrames(options_, session);
   }
   AdjustMaps(std::nullopt);

@@ -59,6 +59,20 @@ bool Camera::IsValid(std::string* error) const {
   return true;
 }
 
+Camera CorrectedCamera(const Camera& camera, const Eigen::Vector3d& correction) {
+  Camera corrected = camera;
+  corrected.fx *= 1.0 + correction[0];
+  corrected.fy *= 1.0 + correction[0];
+  corrected.cx += camera.fx * correction[1];
+  corrected.cy += camera.fy * correction[2];
+  return corrected;
+}
+
+Eigen::Vector3d CorrectionOf(const Camera& camera, const Camera& corrected) {
+  return {corrected.fx / camera.fx - 1.0, (corrected.cx - camera.cx) / camera.fx,
+          (corrected.cy - camera.cy) / camera.fy};
+}
+
 Eigen::Vector2d PixelFromNormalized(const Camera& camera, const Eigen::Vector2d& x_normalized) {
   const Eigen::Vector2d d = Distort(camera, x_normalized).point;
   return {camera.fx * d.x() + camera.cx, camera.fy * d.y() + camera.cy};
@@ -81,6 +95,14 @@ std::optional<Eigen::Vector2d> NormalizedFromPixel(const Camera& camera,
   const double residual_px = (PixelFromNormalized(camera, point) - x_px).norm();
   if (!(residual_px < kAcceptedPx)) return std::nullopt;
   return point;
+}
+
+Eigen::Matrix<double, 2, 3> NormalizedByCorrection(const Camera& camera,
+                                                   const Eigen::Vector2d& x_normalized) {
+  const Distorted d = Distort(camera, x_normalized);
+  Eigen::Matrix<double, 2, 3> distorted_by_correction;
+  distorted_by_correction << d.point, Eigen::Matrix2d::Identity();
+  return -d.jacobian.inverse() * distorted_by_correction;
 }
 
 }  // namespace rovio_sfm

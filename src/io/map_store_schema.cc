@@ -176,6 +176,15 @@ CREATE TABLE separated (
 ) STRICT, WITHOUT ROWID;
 )";
 
+// Since version 2.
+constexpr const char* kCameraTable = R"(TABLE session_camera (
+  session INTEGER NOT NULL,
+  mark INTEGER NOT NULL,
+  fx REAL NOT NULL, fy REAL NOT NULL, cx REAL NOT NULL, cy REAL NOT NULL,
+  PRIMARY KEY (session, mark)
+) STRICT, WITHOUT ROWID;
+)";
+
 int64_t ReadPragma(const char* text, StoreDatabase* database) {
   Rows rows = database->Query(text);
   return rows.Next() ? rows.Int(0) : 0;
@@ -187,19 +196,29 @@ bool IsEmpty(StoreDatabase* database) {
 }
 
 void MakeTables(StoreDatabase* database) {
-  database->Execute("BEGIN IMMEDIATE;" + std::string(kTables) +
+  database->Execute("BEGIN IMMEDIATE;" + std::string(kTables) + "CREATE " + kCameraTable +
                     "PRAGMA application_id = " + std::to_string(kApplicationId) +
                     "; PRAGMA user_version = " + std::to_string(kStoreVersion) + "; COMMIT;");
 }
 
-void RequireVersion(StoreDatabase* database) {
+int64_t RequireVersion(StoreDatabase* database) {
   if (ReadPragma("PRAGMA application_id", database) != kApplicationId) {
     throw StoreError(database->file() + ": not a map store of rovio_sfm");
   }
   const int64_t version = ReadPragma("PRAGMA user_version", database);
-  if (version == kStoreVersion) return;
+  if (version == kStoreVersion || version == 1) return version;
   throw StoreError(database->file() + ": version = " + std::to_string(version) + ": expected " +
-                   std::to_string(kStoreVersion) + ", which this program writes");
+                   std::to_string(kStoreVersion) + ", which this program writes, or 1");
+}
+
+// A file that is only read stays of version 1: the new table is empty and beside it.
+void MigrateFromOne(StoreAccess access, StoreDatabase* database) {
+  if (access == StoreAccess::kRead) {
+    database->Execute(std::string("CREATE TEMPORARY ") + kCameraTable);
+  } else {
+    database->Execute("BEGIN IMMEDIATE; CREATE " + std::string(kCameraTable) +
+                      "PRAGMA user_version = 2; COMMIT;");
+  }
 }
 
 }  // namespace
@@ -207,11 +226,13 @@ void RequireVersion(StoreDatabase* database) {
 void OpenSchema(StoreAccess access, StoreDatabase* database) {
   database->Execute("PRAGMA foreign_keys = ON");
   const bool is_new = access == StoreAccess::kCreate && IsEmpty(database);
-  if (!is_new) RequireVersion(database);  // before anything of another's file is changed
+  // Before anything of another's file is changed.
+  const int64_t version = is_new ? kStoreVersion : RequireVersion(database);
   if (access != StoreAccess::kRead) {
     database->Execute("PRAGMA synchronous = EXTRA; PRAGMA journal_mode = WAL");
   }
   if (is_new) MakeTables(database);
+  if (version == 1) MigrateFromOne(access, database);
 }
 
 }  // namespace rovio_sfm

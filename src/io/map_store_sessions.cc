@@ -63,8 +63,9 @@ void StoredSessions::Put(Session* session) {
   Kept& kept = known->second;
   if (kept.revision == session->revision()) return;
   UnsavedParts unsaved = session->TakeUnsaved();
-  const int64_t drive = frames_->RowOf(session->drive(), session->camera());
+  const int64_t drive = frames_->RowOf(session->drive(), session->given_camera());
   PutRow(*session, drive);
+  PutCameras(*session);
   if (unsaved.everything || is_new) {
     Forget(session->id());
     kept.epochs.clear();
@@ -128,6 +129,19 @@ void StoredSessions::PutRow(const Session& session, int64_t drive) {
       "odometry_delay_sigma_s = excluded.odometry_delay_sigma_s, num_marks = excluded.num_marks",
       session.id().value, drive, static_cast<int>(session.state()), scale.metres_per_unit,
       scale.sigma_log, scale.source, delay_s, delay_sigma_s, session.num_marks());
+}
+
+// Of now (mark 0) and of the journal's marks, where they are not the drive's.
+void StoredSessions::PutCameras(const Session& session) {
+  database_->Run("DELETE FROM session_camera WHERE session = ?", session.id().value);
+  const auto put = [&](uint32_t mark, const Camera& camera) {
+    if (camera == session.given_camera()) return;
+    database_->Run(
+        "INSERT INTO session_camera (session, mark, fx, fy, cx, cy) VALUES (?, ?, ?, ?, ?, ?)",
+        session.id().value, mark, camera.fx, camera.fy, camera.cx, camera.cy);
+  };
+  put(0, session.camera());
+  for (const SessionEpoch& epoch : session.epochs()) put(epoch.number, epoch.camera);
 }
 
 void StoredSessions::PutPose(const Session& session, int64_t drive, uint32_t index) {
@@ -224,6 +238,7 @@ SessionRecord StoredSessions::ReadSession(SessionId id, const FrameMaker& make) 
   ReadLightFrames(make, &record);
   ReadPoints(&record);
   ReadEpochs(make, &record);
+  ReadCameras(&record);
   const std::string stray = FindStrayObservation(record);
   if (!stray.empty()) throw StoreError(stray);
   return record;
@@ -291,6 +306,27 @@ void StoredSessions::ReadEpochs(const FrameMaker& make, SessionRecord* record) c
       record->epochs.back().scale = ReadScale(rows, 1);
     }
     ReadEpoch(rows.Bytes(4), make, event_of, &record->epochs.back());
+  }
+}
+
+void StoredSessions::ReadCameras(SessionRecord* record) const {
+  std::map<uint32_t, Camera> at_mark;
+  Rows rows = database_->Query("SELECT mark, fx, fy, cx, cy FROM session_camera WHERE session = ?",
+                               record->id.value);
+  while (rows.Next()) {
+    Camera camera = record->camera;
+    camera.fx = rows.Double(1);
+    camera.fy = rows.Double(2);
+    camera.cx = rows.Double(3);
+    camera.cy = rows.Double(4);
+    std::string error;
+    if (!camera.IsValid(&error)) throw StoreError("session_camera: " + error);
+    at_mark[static_cast<uint32_t>(rows.Int(0))] = camera;
+  }
+  if (const auto now = at_mark.find(0); now != at_mark.end()) record->refined_camera = now->second;
+  for (SessionEpoch& epoch : record->epochs) {
+    const auto found = at_mark.find(epoch.number);
+    epoch.camera = found == at_mark.end() ? record->camera : found->second;
   }
 }
 

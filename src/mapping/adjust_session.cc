@@ -6,6 +6,7 @@
 
 #include "rovio_sfm/mapping/stage_options.h"
 #include "rovio_sfm/sfm/adjust_by_window.h"
+#include "rovio_sfm/sfm/refine_intrinsics.h"
 #include "rovio_sfm/sfm/triangulate_tracks.h"
 
 namespace rovio_sfm {
@@ -34,6 +35,19 @@ bool Adjust(const BundleOptions& bundle_options, const AdjustOptions& options,
             SessionBundle* bundle) {
   const auto max_frames = static_cast<size_t>(options.max_global_frames);
   return AdjustByWindow(&bundle->problem, bundle_options, max_frames).usable;
+}
+
+// False: nothing was changed.
+bool RefineCamera(const MapperOptions& options, Session* session) {
+  SessionBundle bundle = MakeGlobalBundle(*session);
+  BundleProblem& problem = bundle.problem;
+  if (!MayRefine(options.adjust, problem.cameras.size())) return false;
+  problem.intrinsics.push_back(IntrinsicsOf(options.adjust, *session));
+  if (!RefineIntrinsics(FinalBundleOptions(options, false), &problem)) return false;
+  const Eigen::Vector3d& correction = problem.intrinsics[0].correction;
+  if (!session->SetCamera(CorrectedCamera(session->camera(), correction))) return false;
+  ApplyBundle(bundle, true, session);
+  return true;
 }
 
 }  // namespace
@@ -98,6 +112,27 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
   if (Adjust(FinalBundleOptions(options, true), options.adjust, &bundle)) {
     ApplyBundle(bundle, true, session);
   }
+  return total;
+}
+
+BundleIntrinsics IntrinsicsOf(const AdjustOptions& options, const Session& session) {
+  return {session.camera(),
+          Eigen::Vector3d::Zero(),
+          CorrectionOf(session.camera(), session.given_camera()),
+          {options.focal_sigma, options.center_sigma, options.center_sigma}};
+}
+
+bool MayRefine(const AdjustOptions& options, size_t num_frames) {
+  return options.focal_sigma > 0.0 && num_frames <= static_cast<size_t>(options.max_global_frames);
+}
+
+PruneReport AdjustWithCamera(const MapperOptions& options, Session* session) {
+  PruneReport total = AdjustFinally(options, session);
+  if (!RefineCamera(options, session)) return total;
+  const PruneReport again = AdjustFinally(options, session);
+  total.num_observations += again.num_observations;
+  total.num_landmarks += again.num_landmarks;
+  total.num_frames += again.num_frames;
   return total;
 }
 

@@ -294,7 +294,7 @@ void DriveMapper::CloseSession(SessionState state) {
   global_.Abandon();
   if (current().state() == SessionState::kMapping) {
     if (!IsLinked()) {
-      AdjustFinally(context_.options, &current());
+      AdjustWithCamera(context_.options, &current());
       RefineLightFrames(context_.options, &current());
     }
     PoseWaitingLightFrames();

@@ -129,9 +129,39 @@ LinkStatistics MeasureLinks(const std::vector<PlacedSession>& sessions,
   return statistics;
 }
 
-MapAdjustmentReport AdjustMapFinally(const std::vector<PlacedSession>& sessions,
-                                     const MapperOptions& options,
-                                     std::vector<FeatureLink>* links) {
+namespace {
+
+// Sessions of one drive have one camera: that of the one with most keyframes.
+void ShareCameras(const std::vector<PlacedSession>& sessions) {
+  std::map<DriveId, const Session*> largest;
+  for (const PlacedSession& placed : sessions) {
+    const Session*& of_drive = largest[placed.session->drive()];
+    if (of_drive == nullptr || placed.session->keyframes().size() > of_drive->keyframes().size()) {
+      of_drive = placed.session;
+    }
+  }
+  for (const PlacedSession& placed : sessions) {
+    placed.session->SetCamera(largest.at(placed.session->drive())->camera());
+  }
+}
+
+// False: nothing was changed.
+bool RefineCameras(const std::vector<PlacedSession>& sessions,
+                   const std::vector<FeatureLink>& links, const MapperOptions& options) {
+  if (!MayRefine(options.adjust, NumFrames(sessions))) return false;
+  std::vector<BundleIntrinsics> by_session;
+  for (const PlacedSession& placed : sessions) {
+    by_session.push_back(IntrinsicsOf(options.adjust, *placed.session));
+  }
+  MapBundle bundle(sessions, links, MaxErrorSigmas(options));
+  if (!bundle.SolveIntrinsics(by_session, FinalBundleOptions(options, false))) return false;
+  bundle.Apply();
+  return true;
+}
+
+MapAdjustmentReport AdjustUntilSettled(const std::vector<PlacedSession>& sessions,
+                                       const MapperOptions& options,
+                                       std::vector<FeatureLink>* links) {
   const double max_error_sigmas = MaxErrorSigmas(options);
   const auto max_frames = static_cast<size_t>(options.adjust.max_global_frames);
   MapAdjustmentReport report;
@@ -155,6 +185,20 @@ MapAdjustmentReport AdjustMapFinally(const std::vector<PlacedSession>& sessions,
     if (HasSettled(std::exchange(num_observations, count), count)) round = kFinalRounds - 1;
   }
   report.after = MeasureLinks(sessions, *links);
+  return report;
+}
+
+}  // namespace
+
+MapAdjustmentReport AdjustMapFinally(const std::vector<PlacedSession>& sessions,
+                                     const MapperOptions& options,
+                                     std::vector<FeatureLink>* links) {
+  ShareCameras(sessions);
+  const MapAdjustmentReport first = AdjustUntilSettled(sessions, options, links);
+  if (!first.usable || !RefineCameras(sessions, *links, options)) return first;
+  MapAdjustmentReport report = AdjustUntilSettled(sessions, options, links);
+  report.before = first.before;
+  report.num_dropped_links += first.num_dropped_links;
   return report;
 }
 

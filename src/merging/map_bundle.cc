@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "rovio_sfm/sfm/adjust_by_window.h"
+#include "rovio_sfm/sfm/refine_intrinsics.h"
 
 namespace rovio_sfm {
 namespace {
@@ -195,6 +196,47 @@ BundleReport MapBundle::Solve(const BundleOptions& options, size_t max_frames) {
   const BundleReport report = AdjustByWindow(&problem_, options, max_frames);
   if (report.usable && extent > 0.0) Rescale(extent / RootExtent());
   return report;
+}
+
+// One for each drive; returns those of each part.
+std::vector<uint32_t> MapBundle::AddIntrinsics(const std::vector<BundleIntrinsics>& by_part) {
+  std::map<DriveId, uint32_t> of_drive;
+  std::vector<uint32_t> of_part;
+  for (size_t i = 0; i < parts_.size(); ++i) {
+    const auto number = static_cast<uint32_t>(problem_.intrinsics.size());
+    const auto [it, is_new] = of_drive.try_emplace(parts_[i].placed.session->drive(), number);
+    if (is_new) problem_.intrinsics.push_back(by_part[i]);
+    of_part.push_back(it->second);
+    for (size_t j = 0; j < parts_[i].bundle.frames.size(); ++j) {
+      problem_.cameras[parts_[i].first_camera + j].intrinsics = it->second;
+    }
+  }
+  return of_part;
+}
+
+bool MapBundle::SolveIntrinsics(const std::vector<BundleIntrinsics>& by_part,
+                                const BundleOptions& options) {
+  const std::vector<uint32_t> of_part = AddIntrinsics(by_part);
+  const double extent = RootExtent();
+  if (!RefineIntrinsics(options, &problem_) || !SetCameras(of_part)) return false;
+  if (extent > 0.0) Rescale(extent / RootExtent());
+  return true;
+}
+
+// All or, where one is refused, none.
+bool MapBundle::SetCameras(const std::vector<uint32_t>& intrinsics_of_part) const {
+  std::vector<std::pair<Session*, Camera>> changed;
+  for (size_t i = 0; i < parts_.size(); ++i) {
+    Session* session = parts_[i].placed.session;
+    const Camera before = session->camera();
+    const Eigen::Vector3d& correction = problem_.intrinsics[intrinsics_of_part[i]].correction;
+    if (!session->SetCamera(CorrectedCamera(before, correction))) {
+      for (const auto& [other, camera] : changed) other->SetCamera(camera);
+      return false;
+    }
+    changed.emplace_back(session, before);
+  }
+  return true;
 }
 
 void MapBundle::Apply() const {

@@ -9,6 +9,7 @@
 
 #include "rovio_sfm/geometry/sim3.h"
 #include "rovio_sfm/mapping/register_frame.h"
+#include "rovio_sfm/util/check.h"
 
 namespace rovio_sfm {
 namespace {
@@ -115,7 +116,8 @@ UndoPlan PlanUndo(SessionId id, MergeList* list) {
 }
 
 void RestoreSession(uint32_t mark, const MapperOptions& options, Session* session) {
-  const Session now = *session;
+  Session now = *session;
+  ROVIO_CHECK(now.SetCamera(now.given_camera()), "the frames came with it");
   session->RestoreTo(mark);
   const std::optional<Sim3> before_from_now = BeforeFromNow(*session, now);
   const std::vector<uint32_t> later = AddLaterKeyframes(now, before_from_now, session);

@@ -26,13 +26,16 @@ const Session& SessionOf(const SessionTable& sessions, SessionId id) {
   return *session;
 }
 
+// As the session's camera normalises them.
 std::vector<Keypoint> KeypointsOf(const FrameId& id, const Keyframe& frame,
                                   const FrameStore& store) {
   const std::shared_ptr<const FrameFeatures> features = store.Get(id);
   if (features == nullptr || features->keypoints.size() != frame.points.size()) {
     throw std::runtime_error("the features of frame " + id.ToString() + " are not in the store");
   }
-  return features->keypoints;
+  std::vector<Keypoint> keypoints = features->keypoints;
+  for (size_t i = 0; i < keypoints.size(); ++i) keypoints[i].x_normalized = frame.points[i];
+  return keypoints;
 }
 
 class ModelCollector {
@@ -54,19 +57,28 @@ class ModelCollector {
   void AddImages(const SessionSnapshot& snapshot, const FrameStore& store,
                  std::vector<CollectedImage>* images) {
     const Session& session = SessionOf(sessions_, snapshot.id);
-    const auto [camera, is_new] =
-        camera_of_.try_emplace(session.drive(), static_cast<uint32_t>(model_.cameras.size()));
-    if (is_new) model_.cameras.push_back(session.camera());
+    const uint32_t camera = CameraOf(session);
     const Sim3 level_from_session = map_.level_from_map * snapshot.map_from_session;
     for (const auto& [index, frame] : session.keyframes()) {
       if (frame.weak) continue;
       const FrameId id{session.drive(), index};
-      images->push_back({{id, frame.stamp_ns, "", camera->second,
+      images->push_back({{id, frame.stamp_ns, "", camera,
                           TransformCamera(level_from_session, frame.cam_from_session),
                           KeypointsOf(id, frame, store)},
                          snapshot.id,
                          frame.image_name});
     }
+  }
+
+  // Sessions of one drive share a camera as long as it has one calibration.
+  uint32_t CameraOf(const Session& session) {
+    std::vector<uint32_t>& of_drive = cameras_of_[session.drive()];
+    for (const uint32_t camera : of_drive) {
+      if (model_.cameras[camera] == session.camera()) return camera;
+    }
+    of_drive.push_back(static_cast<uint32_t>(model_.cameras.size()));
+    model_.cameras.push_back(session.camera());
+    return of_drive.back();
   }
 
   void PlaceImages(std::vector<CollectedImage> images) {
@@ -150,7 +162,7 @@ class ModelCollector {
   const LevelMap& map_;
   const SessionTable& sessions_;
   MapModel model_;
-  std::map<DriveId, uint32_t> camera_of_;
+  std::map<DriveId, std::vector<uint32_t>> cameras_of_;
   std::map<std::pair<SessionId, uint32_t>, uint32_t> image_of_;
   std::map<LandmarkId, size_t> point_of_;
   std::map<uint32_t, size_t> shared_of_;  // by the number of SharedLandmarks

@@ -40,7 +40,7 @@ bool HasFrame(const std::vector<Observation>& sorted, uint32_t frame) {
 }  // namespace
 
 Session::Session(SessionId id, DriveId drive, Camera camera)
-    : id_(id), drive_(std::move(drive)), camera_(camera) {}
+    : id_(id), drive_(std::move(drive)), given_camera_(camera), camera_(camera) {}
 
 TrackId Session::RootOf(TrackId track) const {
   for (auto it = alias_.find(track); it != alias_.end(); it = alias_.find(track)) {
@@ -85,6 +85,7 @@ void Session::AddKeyframe(uint32_t index, Keyframe keyframe) {
   const size_t size = keyframe.points.size();
   ROVIO_CHECK(keyframe.tracks.size() == size && keyframe.sigmas.size() == size &&
               keyframe.colors.size() == size);
+  Normalize(&keyframe);
   keyframe.stamps.born = Epoch();
   keyframe.observed.assign(size, 0);
   keyframe.num_observed = 0;
@@ -135,6 +136,7 @@ void Session::AddLightFrame(uint32_t index, LightFrame frame) {
   ++revision_;
   ROVIO_CHECK(keyframes_.count(index) == 0 && keyframes_.count(frame.reference) == 1);
   RememberLightFrame(index);
+  Normalize(&frame);
   frame.stamps.born = Epoch();
   light_frames_[index] = std::move(frame);
   unsaved_.poses.insert(index);
@@ -313,6 +315,7 @@ SessionSnapshot Session::Snapshot() const {
   snapshot.revision = revision_;
   snapshot.map = {id_.value};
   snapshot.drive = drive_;
+  snapshot.given_camera = given_camera_;
   snapshot.camera = camera_;
   snapshot.state = state_;
   snapshot.scale = scale_;

@@ -1,4 +1,6 @@
 #include <iterator>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "rovio_sfm/scene/session.h"
@@ -34,6 +36,7 @@ uint32_t Session::Mark() {
   epochs_.emplace_back();
   epochs_.back().number = ++num_marks_;
   epochs_.back().scale = scale_;
+  epochs_.back().camera = camera_;
   epochs_.back().poses.reserve(keyframes_.size());  // an adjustment of the map moves every one
   epochs_.back().positions.Reserve(landmarks_.size());
   return num_marks_;
@@ -41,10 +44,13 @@ uint32_t Session::Mark() {
 
 void Session::RestoreTo(uint32_t mark) {
   ++revision_;
+  Camera camera = camera_;
   while (!epochs_.empty() && epochs_.back().number >= mark) {
     Undo(epochs_.back());
+    camera = epochs_.back().camera;
     epochs_.pop_back();
   }
+  SetCamera(camera);
   RebuildTracks();
   frame_blocks_.clear();
   landmark_blocks_.clear();
@@ -56,6 +62,7 @@ void Session::RestoreTo(uint32_t mark) {
 Session::Session(SessionRecord record)
     : id_(record.id),
       drive_(std::move(record.drive)),
+      given_camera_(record.camera),
       camera_(record.camera),
       state_(record.state),
       scale_(std::move(record.scale)),
@@ -67,6 +74,10 @@ Session::Session(SessionRecord record)
       epochs_(std::move(record.epochs)),
       num_marks_(record.num_marks) {
   RebuildTracks();
+  if (record.refined_camera && !SetCamera(*record.refined_camera)) {
+    throw std::runtime_error("session " + std::to_string(id_.value) +
+                             ": its camera cannot be inverted at its features");
+  }
 }
 
 UnsavedParts Session::TakeUnsaved() { return std::exchange(unsaved_, {}); }

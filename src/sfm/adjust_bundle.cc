@@ -19,6 +19,8 @@ constexpr double kMinConnectedShare = 0.25;
 constexpr int kMinBoundIterations = 4;       // most of what there is to gain
 constexpr size_t kMinSettlingCameras = 50;   // fewer: another iteration of all costs less
 constexpr double kSettlingTolerance = 1e-4;  // as a share of the step's gain
+// Poses and points nearly make up for a correction: what tells of it is lost in Ceres's damping.
+constexpr double kWideRegion = 1e8;
 
 PoseBlock ToBlock(const Rigid3& cam_from_map) {
   const auto& q = cam_from_map.rotation;
@@ -64,11 +66,23 @@ Gauge ChooseGauge(const BundleProblem& problem) {
 
 using Costs = std::vector<std::unique_ptr<ceres::CostFunction>>;
 
+ceres::CostFunction* CostOf(const BundleObservation& observation, const BundleProblem& problem) {
+  const Eigen::Vector2d& seen = observation.x_normalized;
+  if (problem.intrinsics.empty()) return MakeReprojectionCost(seen, observation.sigma);
+  const uint32_t intrinsics = problem.cameras[observation.camera].intrinsics;
+  const Camera& camera = problem.intrinsics[intrinsics].camera;
+  return MakeUncalibratedCost(seen, observation.sigma, NormalizedByCorrection(camera, seen));
+}
+
+// Observations first, then intrinsics.
 Costs CostsOf(const BundleProblem& problem) {
   Costs costs;
   costs.reserve(problem.observations.size());
   for (const BundleObservation& observation : problem.observations) {
-    costs.emplace_back(MakeReprojectionCost(observation.x_normalized, observation.sigma));
+    costs.emplace_back(CostOf(observation, problem));
+  }
+  for (const BundleIntrinsics& intrinsics : problem.intrinsics) {
+    costs.emplace_back(MakeIntrinsicsCost(intrinsics.expected, intrinsics.sigma));
   }
   return costs;
 }
@@ -82,12 +96,52 @@ ceres::Problem::Options ProblemOptions() {
   return options;
 }
 
+// What is solved for beside the points.
+struct CameraBlocks {
+  std::vector<PoseBlock> poses;
+  std::vector<IntrinsicsBlock> intrinsics;
+};
+
+CameraBlocks BlocksOf(const BundleProblem& problem) {
+  CameraBlocks blocks;
+  for (const BundleCamera& camera : problem.cameras) {
+    blocks.poses.push_back(ToBlock(camera.cam_from_map));
+  }
+  for (const BundleIntrinsics& intrinsics : problem.intrinsics) {
+    const Eigen::Vector3d& correction = intrinsics.correction;
+    blocks.intrinsics.push_back({correction[0], correction[1], correction[2]});
+  }
+  return blocks;
+}
+
+void TakeBlocks(const CameraBlocks& blocks, const Gauge& gauge, BundleProblem* problem) {
+  for (size_t i = 0; i < blocks.poses.size(); ++i) {
+    if (!gauge.fixed[i]) problem->cameras[i].cam_from_map = FromBlock(blocks.poses[i]);
+  }
+  for (size_t i = 0; i < blocks.intrinsics.size(); ++i) {
+    problem->intrinsics[i].correction = Eigen::Vector3d(blocks.intrinsics[i].data());
+  }
+}
+
 void AddObservations(BundleProblem* problem, ceres::LossFunction* loss, const Costs& costs,
-                     std::vector<PoseBlock>* poses, ceres::Problem* solver) {
-  for (size_t i = 0; i < problem->observations.size(); ++i) {
+                     CameraBlocks* blocks, ceres::Problem* solver) {
+  const bool is_calibrated = blocks->intrinsics.empty();
+  const size_t num_observations = problem->observations.size();
+  for (size_t i = 0; i < num_observations; ++i) {
     const BundleObservation& observation = problem->observations[i];
-    solver->AddResidualBlock(costs[i].get(), loss, (*poses)[observation.camera].data(),
-                             problem->points[observation.point].data());
+    double* pose = blocks->poses[observation.camera].data();
+    double* point = problem->points[observation.point].data();
+    if (is_calibrated) {
+      solver->AddResidualBlock(costs[i].get(), loss, pose, point);
+    } else {
+      const uint32_t intrinsics = problem->cameras[observation.camera].intrinsics;
+      solver->AddResidualBlock(costs[i].get(), loss, pose, point,
+                               blocks->intrinsics[intrinsics].data());
+    }
+  }
+  for (size_t i = 0; i < blocks->intrinsics.size(); ++i) {
+    solver->AddResidualBlock(costs[num_observations + i].get(), nullptr,
+                             blocks->intrinsics[i].data());
   }
 }
 
@@ -103,14 +157,15 @@ void SetGauge(const Gauge& gauge, std::vector<PoseBlock>* poses, ceres::Problem*
 
 // Points are eliminated first.
 std::shared_ptr<ceres::ParameterBlockOrdering> MakeOrdering(std::vector<Eigen::Vector3d>* points,
-                                                            std::vector<PoseBlock>* poses,
+                                                            CameraBlocks* blocks,
                                                             const ceres::Problem& solver) {
   auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
   const auto add = [&](double* block, int group) {
     if (solver.HasParameterBlock(block)) ordering->AddElementToGroup(block, group);
   };
   for (Eigen::Vector3d& point : *points) add(point.data(), 0);
-  for (PoseBlock& pose : *poses) add(pose.data(), 1);
+  for (PoseBlock& pose : blocks->poses) add(pose.data(), 1);
+  for (IntrinsicsBlock& intrinsics : blocks->intrinsics) add(intrinsics.data(), 2);
   return ordering;
 }
 
@@ -186,6 +241,7 @@ ceres::Solver::Options SolverOptions(const BundleProblem& problem, const BundleO
   solver_options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
   solver_options.dense_linear_algebra_library_type = ceres::EIGEN;
   solver_options.num_threads = 1;
+  if (!problem.intrinsics.empty()) solver_options.initial_trust_region_radius = kWideRegion;
   solver_options.max_num_iterations = MaxIterations(problem, options);
   solver_options.function_tolerance = options.function_tolerance;
   solver_options.logging_type = ceres::SILENT;
@@ -203,8 +259,7 @@ BundleReport AdjustBundle(BundleProblem* problem, const BundleOptions& options) 
     report.message = "fewer than two cameras, or no observations";
   }
   if (!report.message.empty()) return report;
-  std::vector<PoseBlock> poses;
-  for (const BundleCamera& camera : problem->cameras) poses.push_back(ToBlock(camera.cam_from_map));
+  CameraBlocks blocks = BlocksOf(*problem);
   const std::vector<Eigen::Vector3d> points_before = problem->points;
   const Gauge gauge = ChooseGauge(*problem);
 
@@ -212,11 +267,11 @@ BundleReport AdjustBundle(BundleProblem* problem, const BundleOptions& options) 
   std::optional<ceres::CauchyLoss> loss;
   if (options.loss_sigmas > 0.0) loss.emplace(options.loss_sigmas);
   ceres::Problem solver(ProblemOptions());
-  AddObservations(problem, loss ? &*loss : nullptr, costs, &poses, &solver);
-  SetGauge(gauge, &poses, &solver);
+  AddObservations(problem, loss ? &*loss : nullptr, costs, &blocks, &solver);
+  SetGauge(gauge, &blocks.poses, &solver);
   ceres::Solver::Options solver_options = SolverOptions(*problem, options, gauge, &give_up);
-  solver_options.linear_solver_ordering = MakeOrdering(&problem->points, &poses, solver);
-  if (options.settle_points && poses.size() >= kMinSettlingCameras) {
+  solver_options.linear_solver_ordering = MakeOrdering(&problem->points, &blocks, solver);
+  if (options.settle_points && blocks.poses.size() >= kMinSettlingCameras) {
     SettlePoints(&solver_options);
   }
   const ceres::Solver::Summary summary = SolveQuietly(solver_options, &solver);
@@ -229,9 +284,7 @@ BundleReport AdjustBundle(BundleProblem* problem, const BundleOptions& options) 
     problem->points = points_before;
     return report;
   }
-  for (size_t i = 0; i < poses.size(); ++i) {
-    if (!gauge.fixed[i]) problem->cameras[i].cam_from_map = FromBlock(poses[i]);
-  }
+  TakeBlocks(blocks, gauge, problem);
   return report;
 }
 

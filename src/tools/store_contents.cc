@@ -108,9 +108,13 @@ void CheckFrames(const StoredFrames& frames, std::vector<std::string>* faults) {
 void CheckMaps(MapStore* store, std::vector<std::string>* faults) {
   for (SessionRecord& record : store->sessions().Read(DefaultFrameMaker(), faults)) {
     const SessionId id = record.id;
-    const std::string contradiction = CheckInvariants(Session(std::move(record)));
-    if (contradiction.empty()) continue;
-    faults->push_back("session " + std::to_string(id.value) + ": " + contradiction);
+    try {
+      const std::string contradiction = CheckInvariants(Session(std::move(record)));
+      if (contradiction.empty()) continue;
+      faults->push_back("session " + std::to_string(id.value) + ": " + contradiction);
+    } catch (const std::runtime_error& error) {
+      faults->push_back(error.what());
+    }
   }
   store->merges().Read();
 }

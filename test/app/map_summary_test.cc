@@ -45,6 +45,25 @@ TEST(MapSummaryJson, CountsImagesAndLeavesOutWhatIsNotKnown) {
   EXPECT_EQ(json["matching"]["ransac_share"], 0.3);
 }
 
+TEST(MapSummaryJson, TellsWhichCalibrationsThePicturesToldOtherwise) {
+  MapRun run = SmallRun();
+  EXPECT_TRUE(MapSummaryJson(run)["refined_cameras"].empty());
+  EXPECT_EQ(RefinedCameras(run), "");
+  MapSnapshot snapshot = *run.snapshot;
+  SessionSnapshot& session = snapshot.sessions[0];
+  session.given_camera = session.camera;
+  session.camera = CorrectedCamera(session.given_camera, {0.005, 0.0, 0.0});
+  session.camera.cy += 1.25;
+  run.snapshot = std::make_shared<const MapSnapshot>(snapshot);
+  const auto cameras = MapSummaryJson(run)["refined_cameras"];
+  ASSERT_EQ(cameras.size(), 1u);
+  EXPECT_EQ(cameras[0]["robot"], session.drive.robot);
+  EXPECT_EQ(cameras[0]["fx"], session.camera.fx);
+  EXPECT_EQ(RefinedCameras(run), session.drive.robot +
+                                     ": the pictures correct the calibration: focal length "
+                                     "+0.50 %, centre (+0.00, +1.25) px\n");
+}
+
 TEST(MapSummaryJson, NamesTheImagesWithoutAPose) {
   MapRun run = SmallRun();
   const FrameSnapshot& posed = run.snapshot->sessions[0].frames.front()->front();

@@ -93,6 +93,28 @@ TEST(Camera, IsValidNamesTheBadField) {
   expect_refused(Camera(), "width");
 }
 
+TEST(Camera, ACorrectionIsWhatOneCalibrationIsFromAnother) {
+  const Camera camera = MakeStrongCamera();
+  const Eigen::Vector3d correction(0.01, -0.02, 0.03);
+  EXPECT_LT((CorrectionOf(camera, CorrectedCamera(camera, correction)) - correction).norm(), 1e-12);
+  EXPECT_TRUE(CorrectedCamera(camera, Eigen::Vector3d::Zero()) == camera);
+}
+
+TEST(Camera, APixelMovesWithACorrectionAsFiniteDifferencesDo) {
+  const Camera camera = MakeStrongCamera();
+  constexpr double kStep = 1e-5;
+  for (const Eigen::Vector2d& pixel : {Eigen::Vector2d(20, 30), {320, 240}, {600, 100}}) {
+    const Eigen::Vector2d x = *NormalizedFromPixel(camera, pixel);
+    const Eigen::Matrix<double, 2, 3> by_correction = NormalizedByCorrection(camera, x);
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(i);
+      const Eigen::Vector2d after = *NormalizedFromPixel(CorrectedCamera(camera, step), pixel);
+      const Eigen::Vector2d before = *NormalizedFromPixel(CorrectedCamera(camera, -step), pixel);
+      EXPECT_LT(((after - before) / (2.0 * kStep) - by_correction.col(i)).norm(), 1e-4);
+    }
+  }
+}
+
 TEST(Camera, ComparesAllFields) {
   Camera camera = MakeStrongCamera();
   EXPECT_TRUE(camera == MakeStrongCamera());

@@ -32,7 +32,7 @@ TEST_F(MapStoreSchema, IsMadeOnceAndOpenedThen) {
   OpenSchema(StoreAccess::kWrite, &database);
   for (const auto& [pragma, expected] :
        {std::pair("PRAGMA journal_mode", "wal"), std::pair("PRAGMA synchronous", "3"),
-        std::pair("PRAGMA foreign_keys", "1"), std::pair("PRAGMA user_version", "1"),
+        std::pair("PRAGMA foreign_keys", "1"), std::pair("PRAGMA user_version", "2"),
         std::pair("PRAGMA integrity_check", "ok")}) {
     Rows rows = database.Query(pragma);
     ASSERT_TRUE(rows.Next());
@@ -58,16 +58,39 @@ TEST_F(MapStoreSchema, RefusesAnEmptyFileThatShouldHoldMaps) {
 
 TEST_F(MapStoreSchema, RefusesOlderAndNewerVersionsWithBothNamed) {
   ASSERT_EQ(ErrorOf(StoreAccess::kCreate), "");
-  for (const int version : {kStoreVersion - 1, kStoreVersion + 1, -1}) {
+  for (const int version : {0, kStoreVersion + 1, -1}) {
     Make("PRAGMA user_version = " + std::to_string(version));
     const std::string before = ReadText(file_);
     for (const auto access : {StoreAccess::kCreate, StoreAccess::kWrite, StoreAccess::kRead}) {
       EXPECT_EQ(ErrorOf(access), file_.string() + ": version = " + std::to_string(version) +
                                      ": expected " + std::to_string(kStoreVersion) +
-                                     ", which this program writes");
+                                     ", which this program writes, or 1");
     }
     EXPECT_EQ(ReadText(file_), before);
   }
+}
+
+TEST_F(MapStoreSchema, ReadsVersionOneAsItIsAndRaisesItToWrite) {
+  ASSERT_EQ(ErrorOf(StoreAccess::kCreate), "");
+  Make("DROP TABLE session_camera; PRAGMA user_version = 1; PRAGMA wal_checkpoint(TRUNCATE)");
+  const auto cameras = [&](StoreAccess access) {
+    StoreDatabase database(file_, access);
+    OpenSchema(access, &database);
+    Rows rows = database.Query("SELECT count(*) FROM session_camera");
+    return rows.Next() ? rows.Int(0) : -1;
+  };
+  const auto version = [&] {
+    StoreDatabase database(file_, StoreAccess::kRead);
+    Rows rows = database.Query("PRAGMA user_version");
+    return rows.Next() ? rows.Int(0) : -1;
+  };
+  const std::string before = ReadText(file_);
+  EXPECT_EQ(cameras(StoreAccess::kRead), 0);
+  EXPECT_EQ(ReadText(file_), before);
+  EXPECT_EQ(version(), 1);
+  EXPECT_EQ(cameras(StoreAccess::kWrite), 0);
+  EXPECT_EQ(version(), 2);
+  EXPECT_EQ(cameras(StoreAccess::kRead), 0);
 }
 
 std::string Page() {

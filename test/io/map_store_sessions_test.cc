@@ -50,18 +50,29 @@ class StoreFile {
   StoredSessions sessions;
 };
 
+std::string BytesOf(double value) { return {reinterpret_cast<const char*>(&value), sizeof(value)}; }
+
 std::string AllOf(const Session& session) {
   std::string all = ContentOf(session) + " state " + std::to_string(int(session.state()));
   if (session.scale()) all += session.scale()->source + std::to_string(session.scale()->sigma_log);
   if (session.odometry_delay())
     all += " delay " + std::to_string(session.odometry_delay()->delay_s);
+  all += " fx " + std::to_string(session.camera().fx);
   for (const auto& [index, frame] : session.keyframes()) {
+    for (const Eigen::Vector2d& point : frame.points)
+      all += BytesOf(point.x()) + BytesOf(point.y());
     all += " " + std::to_string(frame.stamps.born) + "." + std::to_string(frame.stamps.moved);
   }
   for (const SessionEpoch& epoch : session.epochs()) {
-    all += " mark " + std::to_string(epoch.number) + EpochBytes(epoch, {});
+    all += " mark " + std::to_string(epoch.number) + EpochBytes(epoch, {}) +
+           std::to_string(epoch.camera.cx);
   }
   return all + std::to_string(session.num_marks());
+}
+
+Eigen::Vector3d AnyCorrection(Rng& rng) {
+  const double focal = rng.Uniform(-1, 1), x = rng.Uniform(-1, 1), y = rng.Uniform(-1, 1);
+  return {focal, x, y};
 }
 
 // One of two sessions that go through the same.
@@ -83,6 +94,9 @@ struct Twin {
         return session.set_state(SessionState::kMapping);
       case 5:
         return GoBack(rng);
+      case 6:
+        session.SetCamera(CorrectedCamera(session.given_camera(), 0.005 * AnyCorrection(rng)));
+        return;
       default:
         return;
     }

@@ -53,6 +53,27 @@ TEST(AdjustMap, LeavesAPerfectMapAsItIs) {
   EXPECT_EQ(CheckInvariants(pair.a) + CheckInvariants(pair.b), "");
 }
 
+TEST(AdjustMap, FindsTheCameraOfOneDriveAndLeavesTheOthers) {
+  MergedPair pair(0.1);
+  const Camera truth = pair.a.camera();
+  const Eigen::Vector3d error(0.004, 0.003, -0.003);
+  ASSERT_TRUE(pair.a.SetCamera(CorrectedCamera(truth, error)));
+  AdjustMapFinally(pair.placed, {}, &pair.links);
+  EXPECT_LT(CorrectionOf(truth, pair.a.camera()).norm(), 0.3 * error.norm());
+  EXPECT_LT(CorrectionOf(truth, pair.b.camera()).norm(), 0.3 * error.norm());
+  EXPECT_EQ(CheckInvariants(pair.a) + CheckInvariants(pair.b), "");
+}
+
+TEST(AdjustMap, KeepsCamerasThatAreSaidToBeExact) {
+  MergedPair pair(0.1);
+  const Camera wrong = CorrectedCamera(pair.a.camera(), {0.004, 0.003, -0.003});
+  ASSERT_TRUE(pair.a.SetCamera(wrong));
+  MapperOptions exact;
+  exact.adjust.focal_sigma = 0.0;
+  AdjustMapFinally(pair.placed, exact, &pair.links);
+  EXPECT_TRUE(pair.a.camera() == wrong);
+}
+
 TEST(AdjustMap, PullsAMisplacedSessionIntoItsPlace) {
   MergedPair pair;
   pair.placed[1].map_from_session =

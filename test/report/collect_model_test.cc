@@ -44,6 +44,20 @@ struct TwoSessionMap {
   MapSnapshot snapshot;
 };
 
+TEST(CollectModel, ShowsPicturesThroughTheCameraThatASessionFound) {
+  TwoSessionMap map;
+  Session* session = map.sessions.Lend({1});
+  const Camera found = CorrectedCamera(session->camera(), {0.004, -0.003, 0.002});
+  ASSERT_TRUE(session->SetCamera(found));
+  const MapModel model = map.Collect();
+  const ModelImage& image = model.images[0];
+  EXPECT_TRUE(model.cameras[image.camera] == found);
+  for (const Keypoint& keypoint : image.keypoints) {
+    const Eigen::Vector2d x_px = PixelFromNormalized(found, keypoint.x_normalized);
+    EXPECT_LT((x_px - Eigen::Vector2d(keypoint.x_px, keypoint.y_px)).norm(), 1e-3);
+  }
+}
+
 TEST(CollectModel, EveryViewIsWhereItsPointProjects) {
   const TwoSessionMap map;
   const MapModel model = map.Collect();

@@ -27,6 +27,7 @@ inline SessionSnapshot SmallSession(uint32_t id, uint32_t num_frames, LandmarkBl
   session.camera.fx = session.camera.fy = 500.0;
   session.camera.cx = 320.0, session.camera.cy = 240.0;
   session.camera.width = 640, session.camera.height = 480;
+  session.given_camera = session.camera;
   FrameBlock frames(num_frames);
   for (uint32_t i = 0; i < num_frames; ++i) {
     frames[i].index = i;

@@ -17,13 +17,14 @@ constexpr uint32_t kNumTracks = 40;
 constexpr uint32_t kNumFrames = 200;  // indices of several blocks
 constexpr uint32_t kNumFeatures = 12;
 
-// What a frame brings itself; poses and tracks come at random.
+// What a frame brings itself, at whole pixels; poses and tracks come at random.
 inline Keyframe BareKeyframe(uint32_t index) {
   Rng rng(index);
   Keyframe frame;
   frame.stamp_ns = index;
   for (uint32_t i = 0; i < kNumFeatures; ++i) {
-    frame.points.push_back({rng.Uniform(-0.5, 0.5), rng.Uniform(-0.5, 0.5)});
+    const double x_px = 1 + rng.UniformInt(638), y_px = 1 + rng.UniformInt(478);
+    frame.points.push_back(*NormalizedFromPixel(MakeSyntheticCamera(), {x_px, y_px}));
   }
   frame.sigmas.assign(kNumFeatures, 0.001);
   frame.colors.resize(kNumFeatures);

@@ -84,6 +84,38 @@ TEST(ReprojectionCost, JacobiansAreThoseOfFiniteDifferences) {
   for (int trial = 0; trial < 20; ++trial) CheckJacobians(trial % 4 - 1, rng);
 }
 
+TEST(UncalibratedCost, JacobiansAreThoseOfFiniteDifferences) {
+  Rng rng(2);
+  const Pose pose = AnyPose(rng);
+  const Eigen::Vector3d point = PointBefore(pose, rng);
+  const Eigen::Matrix<double, 2, 3> by_correction = Eigen::Matrix<double, 2, 3>::Random();
+  const std::unique_ptr<ceres::CostFunction> cost(
+      MakeUncalibratedCost({0.1, -0.2}, 0.5, by_correction));
+  const std::unique_ptr<ceres::CostFunction> plain(MakeReprojectionCost({0.1, -0.2}, 0.5));
+  IntrinsicsBlock intrinsics{};
+  RowMajor by_pose(2, kPoseSize), by_point(2, 3), by_block(2, kIntrinsicsSize);
+  RowMajor plain_by_pose(2, kPoseSize), plain_by_point(2, 3);
+  const double* blocks[] = {pose.data(), point.data(), intrinsics.data()};
+  double* jacobians[] = {by_pose.data(), by_point.data(), by_block.data()};
+  double* plain_jacobians[] = {plain_by_pose.data(), plain_by_point.data()};
+  Eigen::Vector2d residual, plain_residual;
+  ASSERT_TRUE(cost->Evaluate(blocks, residual.data(), jacobians));
+  ASSERT_TRUE(plain->Evaluate(blocks, plain_residual.data(), plain_jacobians));
+  EXPECT_EQ(residual, plain_residual);  // without a correction they are one
+  EXPECT_EQ(by_pose, plain_by_pose);
+  EXPECT_EQ(by_point, plain_by_point);
+  for (int i = 0; i < kIntrinsicsSize; ++i) {
+    Eigen::Vector2d moved[2];
+    for (const int side : {0, 1}) {
+      intrinsics[static_cast<size_t>(i)] = side == 0 ? -kStep : kStep;
+      ASSERT_TRUE(cost->Evaluate(blocks, moved[side].data(), nullptr));
+    }
+    intrinsics[static_cast<size_t>(i)] = 0.0;
+    const Eigen::Vector2d numeric = (moved[1] - moved[0]) / (2.0 * kStep);
+    EXPECT_LT((numeric - by_block.col(i)).norm(), 1e-6) << "intrinsics " << i;
+  }
+}
+
 TEST(ReprojectionCost, IsTheProjectionErrorInSigmas) {
   Pose pose = Pose::Zero();
   pose[3] = 1.0;

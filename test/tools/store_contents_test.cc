@@ -35,7 +35,7 @@ TEST_F(StoreContents, AreToldForPeople) {
   TellContents(file_, out);
   const std::string text = out.str();
   for (const char* expected :
-       {"map.db: map store, version 1, ", "drives    2\n", ": 12 frames, of them 12 keyframes",
+       {"map.db: map store, version 2, ", "drives    2\n", ": 12 frames, of them 12 keyframes",
         "goes on at 12\n", "sessions  2\n", "  1: map 1, drive ", ", 12 posed frames, ",
         "maps      1\n  1: sessions 1, 2\n",
         "overlaps  1\n  1: merge of sessions 1 and 2, accepted", "images      24 rows, 2.3 KiB\n",

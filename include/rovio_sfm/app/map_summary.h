@@ -44,6 +44,9 @@ struct MapRun {
   double peak_rss_mb = 0.0;
 };
 
+// A line for each session whose calibration its pictures told otherwise; empty: none.
+std::string RefinedCameras(const MapRun& run);
+
 // Why the largest map is in map units, in one sentence; empty where it is metric.
 std::string WhyInMapUnits(const MapRun& run);
 

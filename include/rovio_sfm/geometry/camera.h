@@ -23,6 +23,12 @@ struct Camera {
 
 bool operator==(const Camera& a, const Camera& b);
 
+// The same lens by another calibration: focal lengths that are correction[0] larger (a share), the
+// centre shifted by correction[1] of fx and correction[2] of fy.
+Camera CorrectedCamera(const Camera& camera, const Eigen::Vector3d& correction);
+// The correction that makes `corrected` of `camera`.
+Eigen::Vector3d CorrectionOf(const Camera& camera, const Camera& corrected);
+
 // The pixel of a normalised point, with distortion.
 Eigen::Vector2d PixelFromNormalized(const Camera& camera, const Eigen::Vector2d& x_normalized);
 
@@ -30,5 +36,9 @@ Eigen::Vector2d PixelFromNormalized(const Camera& camera, const Eigen::Vector2d&
 // inverted (checked by projecting back to within 1e-3 px).
 std::optional<Eigen::Vector2d> NormalizedFromPixel(const Camera& camera,
                                                    const Eigen::Vector2d& x_px);
+
+// How the normalised point of a pixel moves with a correction of its camera, to first order.
+Eigen::Matrix<double, 2, 3> NormalizedByCorrection(const Camera& camera,
+                                                   const Eigen::Vector2d& x_normalized);
 
 }  // namespace rovio_sfm

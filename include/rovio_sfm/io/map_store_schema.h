@@ -5,7 +5,7 @@
 namespace rovio_sfm {
 
 // Of the tables; docs/map_store.md tells what changed. Older ones are migrated, newer ones refused.
-constexpr int kStoreVersion = 1;
+constexpr int kStoreVersion = 2;
 
 // Makes the tables in a new file; checks that another one is a map store of a version that is
 // understood. Sets how safely SQLite writes: a committed transaction survives a loss of power.

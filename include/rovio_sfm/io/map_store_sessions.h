@@ -37,6 +37,7 @@ class StoredSessions {
 
   void Forget(SessionId id);
   void PutRow(const Session& session, int64_t drive);
+  void PutCameras(const Session& session);
   void PutPose(const Session& session, int64_t drive, uint32_t index);
   void PutTracks(const Session& session, int64_t drive, const UnsavedParts& unsaved);
   void PutEpochs(const Session& session, Kept* kept);
@@ -45,6 +46,7 @@ class StoredSessions {
   void ReadKeyframes(const FrameMaker& make, SessionRecord* record) const;
   void ReadLightFrames(const FrameMaker& make, SessionRecord* record) const;
   void ReadPoints(SessionRecord* record) const;
+  void ReadCameras(SessionRecord* record) const;
   void ReadEpochs(const FrameMaker& make, SessionRecord* record) const;
   FrameEvent BareEvent(const DriveId& drive, uint32_t index) const;
 

@@ -35,6 +35,15 @@ BundleOptions FinalBundleOptions(const MapperOptions& options, bool is_last);
 // Adjusts everything, prunes, and completes tracks until little changes: the end of a session.
 PruneReport AdjustFinally(const MapperOptions& options, Session* session);
 
+// What is known of a session's calibration before its pictures are looked at.
+BundleIntrinsics IntrinsicsOf(const AdjustOptions& options, const Session& session);
+// Whether so many frames' calibrations are solved for.
+bool MayRefine(const AdjustOptions& options, size_t num_frames);
+
+// AdjustFinally, and once more by another calibration of the camera where the pictures tell one
+// (RefineIntrinsics). Larger sessions than max_global_frames keep theirs.
+PruneReport AdjustWithCamera(const MapperOptions& options, Session* session);
+
 // Adjusts all frames and landmarks beside the main flow, on a copy, and brings the result back.
 class GlobalAdjustment {
  public:

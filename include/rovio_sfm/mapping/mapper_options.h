@@ -60,6 +60,8 @@ struct AdjustOptions {
   double global_growth = 0.1;
   int max_global_frames = 500;
   double loss_px = 1.0;
+  double focal_sigma = 0.005;
+  double center_sigma = 0.003;
 
   void DescribeOptions(OptionTable& table) {
     table.AddNumber("local_frames", local_frames, 2, 50, "free ones of a local adjustment");
@@ -69,6 +71,9 @@ struct AdjustOptions {
                     "a global one when frames or landmarks grew by this share");
     table.AddNumber("max_global_frames", max_global_frames, 10, 100000, "larger maps: by windows");
     table.AddNumber("loss_px", loss_px, 0.1, 20.0, "scale of the robust loss");
+    table.AddNumber("focal_sigma", focal_sigma, 0.0, 0.1,
+                    "of a calibration's focal length, relative; 0: calibrations are exact");
+    table.AddNumber("center_sigma", center_sigma, 1e-6, 0.1, "of its centre, in focal lengths");
   }
 };
 

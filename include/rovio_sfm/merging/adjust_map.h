@@ -33,7 +33,8 @@ struct MapAdjustmentReport {
 
 // Adjusts all frames and landmarks of all sessions of a map as one problem (§4.3.3), prunes
 // observations as the final adjustment of a session does, and drops links that do not fit: rounds
-// until little changes, the last one without the robust loss. The first session holds the gauge.
+// until little changes; and all of that again by other calibrations where the pictures tell them
+// (AdjustWithCamera). The first session holds the gauge.
 MapAdjustmentReport AdjustMapFinally(const std::vector<PlacedSession>& sessions,
                                      const MapperOptions& options, std::vector<FeatureLink>* links);
 

@@ -42,6 +42,10 @@ class MapBundle {
   // The first camera and the extent of the first session's path stay: they are the map's gauge.
   // More frames than max_frames are adjusted by windows.
   BundleReport Solve(const BundleOptions& options, size_t max_frames);
+  // Solves again with other calibrations where the pictures tell them (RefineIntrinsics), and gives
+  // those to the sessions. by_part: of each session; those of one drive have one camera. False:
+  // nothing was changed.
+  bool SolveIntrinsics(const std::vector<BundleIntrinsics>& by_part, const BundleOptions& options);
   // Writes the solution back into the sessions; their places in the map stay.
   void Apply() const;
   // The landmarks that are one point with others.
@@ -56,6 +60,8 @@ class MapBundle {
     uint32_t first_camera = 0, first_landmark = 0;
   };
 
+  std::vector<uint32_t> AddIntrinsics(const std::vector<BundleIntrinsics>& by_part);
+  bool SetCameras(const std::vector<uint32_t>& intrinsics_of_part) const;
   double RootExtent() const;
   void Rescale(double factor);
   const Part* PartOf(const FeatureRef& feature) const;

@@ -64,7 +64,7 @@ struct SessionSnapshot {
   MapId map;
   uint32_t gauge_revision = 0;
   DriveId drive;
-  Camera camera;
+  Camera given_camera, camera;  // that the frames came with, and that they are mapped by
   SessionState state = SessionState::kBootstrapping;
   std::optional<MapScale> scale;                          // of the session's unit; none: not metric
   std::optional<OdometryDelay> odometry_delay;            // of one that ended, where its turns tell

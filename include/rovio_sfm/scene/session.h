@@ -32,6 +32,9 @@ class Session {
 
   SessionId id() const { return id_; }
   const DriveId& drive() const { return drive_; }
+  // What the frames came with, and what their features are normalised by: the same one until
+  // SetCamera.
+  const Camera& given_camera() const { return given_camera_; }
   const Camera& camera() const { return camera_; }
   SessionState state() const { return state_; }
   // Raised by every change: who keeps what it saw of a session compares.
@@ -50,8 +53,14 @@ class Session {
   void set_scale(const MapScale& scale);
   void set_odometry_delay(const std::optional<OdometryDelay>& delay);
 
-  // Adds a keyframe with its features' tracks; ids may be any alias. A second feature of one track
-  // in the frame is left without a track.
+  // Another calibration of the same pictures: their features are normalised by it. False (and
+  // nothing changes) where it cannot be inverted at one of them.
+  bool SetCamera(const Camera& camera);
+
+  // Adds a keyframe, its features normalised by given_camera(), with their tracks; ids may be any
+  // alias. A second feature of one track in the frame is left without a track, and so is one where
+  // camera() cannot be inverted. Light frames too come as given_camera() normalises them, and their
+  // features lose their tracks so.
   void AddKeyframe(uint32_t index, Keyframe keyframe);
   // Removes a keyframe, its observations, and landmarks left with fewer than two.
   void RemoveKeyframe(uint32_t index);
@@ -116,12 +125,14 @@ class Session {
   void RememberLightPose(uint32_t index);
   void RememberKeyframe(uint32_t index);
   void RememberLightFrame(uint32_t index);
+  template <typename Frame>
+  void Normalize(Frame* frame) const;
   void Undo(const SessionEpoch& epoch);
   void RebuildTracks();
 
   SessionId id_;
   DriveId drive_;
-  Camera camera_;
+  Camera given_camera_, camera_;
   SessionState state_ = SessionState::kBootstrapping;
   uint64_t revision_ = 0;
   std::optional<MapScale> scale_;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "rovio_sfm/geometry/camera.h"
 #include "rovio_sfm/geometry/rigid3.h"
 #include "rovio_sfm/scene/ids.h"
 #include "rovio_sfm/scene/map_snapshot.h"
@@ -41,6 +42,7 @@ struct SessionEpoch {
 
   uint32_t number = 0;
   std::optional<MapScale> scale;
+  Camera camera;
   std::vector<PoseBefore> poses;
   std::vector<LightPoseBefore> light_poses;
   std::vector<MemberBefore> members;

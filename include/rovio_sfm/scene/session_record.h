@@ -16,7 +16,8 @@ namespace rovio_sfm {
 struct SessionRecord {
   SessionId id;
   DriveId drive;
-  Camera camera;
+  Camera camera;                         // that the frames came with
+  std::optional<Camera> refined_camera;  // that their features are normalised by, if another one
   SessionState state = SessionState::kBootstrapping;
   std::optional<MapScale> scale;
   std::optional<OdometryDelay> odometry_delay;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "rovio_sfm/geometry/camera.h"
 #include "rovio_sfm/geometry/rigid3.h"
 
 namespace rovio_sfm {
@@ -13,6 +14,16 @@ namespace rovio_sfm {
 struct BundleCamera {
   Rigid3 cam_from_map;
   bool fixed = false;
+  uint32_t intrinsics = 0;  // into BundleProblem::intrinsics, where there are any
+};
+
+// The calibration that normalised a camera's observations, its correction (CorrectedCamera), and
+// what is known of that before any picture is looked at.
+struct BundleIntrinsics {
+  Camera camera;
+  Eigen::Vector3d correction = Eigen::Vector3d::Zero();
+  Eigen::Vector3d expected = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sigma = Eigen::Vector3d::Ones();
 };
 
 struct BundleObservation {
@@ -27,6 +38,7 @@ struct BundleProblem {
   std::vector<BundleCamera> cameras;
   std::vector<Eigen::Vector3d> points;
   std::vector<BundleObservation> observations;
+  std::vector<BundleIntrinsics> intrinsics;  // solved for too; none: calibrations are exact
 };
 
 struct BundleOptions {
@@ -45,7 +57,8 @@ struct BundleReport {
   std::string message;  // why it is not usable
 };
 
-// Minimises the robust reprojection error over the free cameras and all points (§3.8.2). With fewer
+// Minimises the robust reprojection error over the free cameras, all points (§3.8.2) and the
+// corrections of the intrinsics, if any. With fewer
 // than two fixed cameras the gauge is held by the first camera and one component of the translation
 // of the camera farthest from it. One thread and a sparse Cholesky in fixed order: same bytes every
 // time. Observations behind their camera make the problem unusable: drop them first.

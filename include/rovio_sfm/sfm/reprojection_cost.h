@@ -19,6 +19,22 @@ using PoseBlock = std::array<double, kPoseSize>;
 // into the first columns, so it must be used with that manifold alone. The caller owns the result.
 ceres::CostFunction* MakeReprojectionCost(const Eigen::Vector2d& x_normalized, double sigma);
 
+// BundleIntrinsics::correction as Ceres sees it, with as many zeros as make it as large as a pose's
+// tangent: Ceres is fast where all blocks but the points are.
+constexpr int kIntrinsicsSize = 6;
+using IntrinsicsBlock = std::array<double, kIntrinsicsSize>;
+
+// The same with an intrinsics block as third: x_normalized moves by `by_correction` (of
+// NormalizedByCorrection) times the correction over the focal length, which the residuals, as
+// pixels do, grow with. The caller owns the result.
+ceres::CostFunction* MakeUncalibratedCost(const Eigen::Vector2d& x_normalized, double sigma,
+                                          const Eigen::Matrix<double, 2, 3>& by_correction);
+
+// (correction - expected) / sigma of an intrinsics block, and its zeros. The caller owns the
+// result.
+ceres::CostFunction* MakeIntrinsicsCost(const Eigen::Vector3d& expected,
+                                        const Eigen::Vector3d& sigma);
+
 // rotation <- Exp(w) * rotation, translation <- translation + v. With fixed_component 0, 1 or 2
 // that component of the translation stays (the scale gauge of an adjustment) and of v counts for
 // nothing; with -1 none does. The caller owns the result.

@@ -1,0 +1,95 @@
+#include "rovio_sfm/sfm/refine_intrinsics.h"
+
+#include <gtest/gtest.h>
+
+#include "sfm/synthetic_bundle.h"
+
+namespace rovio_sfm {
+namespace {
+
+const Eigen::Vector3d kSigma{0.005, 0.003, 0.003};
+
+// A camera that drives once round the points and is calibrated with this error: what it sees,
+// normalised by the wrong calibration, at its optimum by that.
+struct Drive {
+  Drive(const Eigen::Vector3d& true_correction, double noise_px,
+        SyntheticMotion motion = SyntheticMotion::kCircle)
+      : world(WorldOf(noise_px, motion)), problem(MakeProblem(world)) {
+    const Camera given = CorrectedCamera(world.camera, -true_correction);
+    for (BundleObservation& observation : problem.observations) {
+      const Eigen::Vector2d pixel = PixelFromNormalized(world.camera, observation.x_normalized);
+      observation.x_normalized = *NormalizedFromPixel(given, pixel);
+    }
+    AdjustBundle(&problem, kExact);
+    problem.intrinsics.push_back({given, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), kSigma});
+  }
+
+  static SyntheticWorld WorldOf(double noise_px, SyntheticMotion motion) {
+    SyntheticOptions options;
+    options.num_points = 500;
+    options.num_cams = 24;
+    options.motion = motion;
+    options.step = motion == SyntheticMotion::kCircle ? 1.0 : 0.1;
+    options.noise_px = noise_px;
+    return MakeSyntheticWorld(options);
+  }
+
+  const Eigen::Vector3d& correction() const { return problem.intrinsics[0].correction; }
+  double Error() const { return ErrorUpToSimilarity(problem, world); }
+
+  SyntheticWorld world;
+  BundleProblem problem;
+};
+
+TEST(RefineIntrinsics, FindsTheTrueCameraWithoutNoise) {
+  const Eigen::Vector3d truth(0.004, -0.003, 0.002);
+  Drive drive(truth, 0.0);
+  const double before = drive.Error();
+  ASSERT_TRUE(RefineIntrinsics(kExact, &drive.problem));
+  EXPECT_LT((drive.correction() - truth).norm(), 0.1 * truth.norm());
+  EXPECT_LT(drive.Error(), 0.1 * before);
+}
+
+TEST(RefineIntrinsics, ComesNearItWithNoise) {
+  const Eigen::Vector3d truth(0.004, -0.003, 0.002);
+  Drive drive(truth, 0.2);
+  const double before = drive.Error();
+  ASSERT_TRUE(RefineIntrinsics(kExact, &drive.problem));
+  EXPECT_LT((drive.correction() - truth).norm(), 0.4 * truth.norm());
+  EXPECT_LT(drive.Error(), 0.6 * before);
+}
+
+void ExpectLeftAlone(Drive drive) {
+  const BundleProblem before = drive.problem;
+  EXPECT_FALSE(RefineIntrinsics(kExact, &drive.problem));
+  EXPECT_EQ(drive.correction(), Eigen::Vector3d::Zero());
+  for (size_t i = 0; i < before.cameras.size(); ++i) {
+    EXPECT_EQ(drive.problem.cameras[i].cam_from_map.translation,
+              before.cameras[i].cam_from_map.translation);
+  }
+  EXPECT_EQ(drive.problem.points, before.points);
+}
+
+TEST(RefineIntrinsics, LeavesACameraThatIsRight) {
+  ExpectLeftAlone({Eigen::Vector3d::Zero(), 0.0});
+  ExpectLeftAlone({Eigen::Vector3d::Zero(), 0.5});
+}
+
+// A calibration does not err by that much: the pictures err in another way.
+TEST(RefineIntrinsics, DoesNotBelieveALargeError) { ExpectLeftAlone({{0.03, 0.0, 0.02}, 0.5}); }
+
+TEST(RefineIntrinsics, LearnsNothingFromAStraightWay) {
+  ExpectLeftAlone({{0.004, 0.0, 0.0}, 0.5, SyntheticMotion::kForward});
+}
+
+TEST(RefineIntrinsics, NeedsIntrinsicsAndObservations) {
+  Drive drive({0.004, -0.003, 0.002}, 0.0);
+  BundleProblem without = drive.problem;
+  without.intrinsics.clear();
+  EXPECT_FALSE(RefineIntrinsics(kExact, &without));
+  drive.problem.observations.clear();
+  EXPECT_FALSE(RefineIntrinsics(kExact, &drive.problem));
+}
+
+}  // namespace
+}  // namespace rovio_sfm
