@@ -7,11 +7,12 @@
 namespace rovio_sfm {
 namespace {
 
-constexpr double kChance = 7.8;                 // chi-squared of three, exceeded once in 20 times
-constexpr double kMinEvidence = 5.0 * kChance;  // features of a track err alike: five count as one
+constexpr double kChance = 7.8;  // chi-squared of three, exceeded once in 20 times
+constexpr double kAlike = 5.0;   // features of a track err alike: so many count as one
 constexpr int kMaxIterations = 10;
 
-// Of a coordinate of a residual, in sigmas, as far as the robust loss lets it count.
+// Of a coordinate of a residual, in sigmas, as far as the robust loss lets it count, for as many
+// independent ones as there are.
 double Variance(const BundleProblem& problem, double loss_sigmas) {
   double sum = 0.0;
   for (const BundleObservation& observation : problem.observations) {
@@ -23,7 +24,7 @@ double Variance(const BundleProblem& problem, double loss_sigmas) {
     const double scale = loss_sigmas * loss_sigmas;
     sum += scale > 0.0 ? scale * std::log1p(squared / scale) : squared;
   }
-  return 0.5 * sum / static_cast<double>(problem.observations.size());
+  return kAlike * 0.5 * sum / static_cast<double>(problem.observations.size());
 }
 
 // Sigmas of observations say how they compare to each other, the variance how to anything else.
@@ -50,7 +51,7 @@ bool RefineIntrinsics(const BundleOptions& options, BundleProblem* problem) {
   const BundleReport report = AdjustBundle(&refined, solve);
   ScaleSigmas(std::sqrt(variance), &refined);
   const double gain = report.initial_cost - report.final_cost;
-  if (!report.usable || 2.0 * gain < kMinEvidence * variance ||
+  if (!report.usable || 2.0 * gain < kChance * variance ||
       !std::all_of(refined.intrinsics.begin(), refined.intrinsics.end(), IsBelievable)) {
     return false;
   }
