@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace rovio_sfm {
 namespace {
@@ -38,23 +40,52 @@ bool IsBelievable(const BundleIntrinsics& intrinsics) {
   return strangeness.squaredNorm() <= kChance;
 }
 
+// Solves, and returns how much the cost fell; nothing where that is not usable.
+std::optional<double> Gain(const BundleOptions& options, double variance, BundleProblem* problem) {
+  BundleOptions solve = options;
+  solve.max_iterations = std::min(options.max_iterations, kMaxIterations);
+  ScaleSigmas(1.0 / std::sqrt(variance), problem);
+  const BundleReport report = AdjustBundle(problem, solve);
+  ScaleSigmas(std::sqrt(variance), problem);
+  if (!report.usable) return std::nullopt;
+  return report.initial_cost - report.final_cost;
+}
+
+// The later half of each camera's pictures gets intrinsics of its own.
+BundleProblem Halved(const BundleProblem& problem) {
+  BundleProblem halved = problem;
+  const size_t num_intrinsics = problem.intrinsics.size();
+  std::vector<size_t> num_cameras(num_intrinsics), num_seen(num_intrinsics);
+  for (const BundleCamera& camera : problem.cameras) ++num_cameras[camera.intrinsics];
+  for (BundleCamera& camera : halved.cameras) {
+    const uint32_t intrinsics = camera.intrinsics;
+    const bool is_late = 2 * num_seen[intrinsics]++ >= num_cameras[intrinsics];
+    if (is_late) camera.intrinsics += static_cast<uint32_t>(num_intrinsics);
+  }
+  halved.intrinsics.insert(halved.intrinsics.end(), problem.intrinsics.begin(),
+                           problem.intrinsics.end());
+  return halved;
+}
+
+// Whether a solution is so much better than another problem's that chance alone does not make it.
+bool IsEvident(const std::optional<double>& gain, double variance) {
+  return gain && 2.0 * *gain >= kChance * variance;
+}
+
 }  // namespace
 
 bool RefineIntrinsics(const BundleOptions& options, BundleProblem* problem) {
   if (problem->intrinsics.empty() || problem->observations.empty()) return false;
   const double variance = Variance(*problem, options.loss_sigmas);
   if (!(variance > 0.0)) return false;
-  BundleOptions solve = options;
-  solve.max_iterations = std::min(options.max_iterations, kMaxIterations);
   BundleProblem refined = *problem;
-  ScaleSigmas(1.0 / std::sqrt(variance), &refined);
-  const BundleReport report = AdjustBundle(&refined, solve);
-  ScaleSigmas(std::sqrt(variance), &refined);
-  const double gain = report.initial_cost - report.final_cost;
-  if (!report.usable || 2.0 * gain < kChance * variance ||
+  if (!IsEvident(Gain(options, variance, &refined), variance) ||
       !std::all_of(refined.intrinsics.begin(), refined.intrinsics.end(), IsBelievable)) {
     return false;
   }
+  BundleProblem halved = Halved(refined);
+  const auto gain_of_halves = Gain(options, variance, &halved);
+  if (!gain_of_halves || IsEvident(gain_of_halves, variance)) return false;
   *problem = std::move(refined);
   return true;
 }

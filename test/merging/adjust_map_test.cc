@@ -2,39 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "merging/two_drives.h"
+#include "merging/merged_pair.h"
 
 namespace rovio_sfm {
 namespace {
-
-struct MergedPair {
-  explicit MergedPair(double noise_px = 0.0)
-      : two(MakeTwoDrives(TwoDrivesOptions(noise_px))),
-        a(MappedSession(two, false, {})),
-        b(MappedSession(two, true, OtherGauge())),
-        placed{{&a, {}}, {&b, Inverse(OtherGauge())}} {
-    for (const uint32_t frame : {3u, 8u, 12u}) {
-      const std::vector<FeatureLink> more = LinksOf(TrueOverlap(two, frame, frame), a.id(), b.id());
-      links.insert(links.end(), more.begin(), more.end());
-    }
-    std::sort(links.begin(), links.end());
-  }
-
-  // The largest distance of a camera of b from its true place, with a as the gauge.
-  double ErrorOfB() const {
-    double worst = 0.0;
-    for (const auto& [index, frame] : b.keyframes()) {
-      worst = std::max(worst, PoseDistance(CamFromMap(placed[1], index),
-                                           two.world.cams_from_map[CameraOf(true, index)]));
-    }
-    return worst;
-  }
-
-  TwoDrives two;
-  Session a, b;
-  std::vector<PlacedSession> placed;
-  std::vector<FeatureLink> links;
-};
 
 MapAdjustmentReport AdjustBeside(MergedPair* pair) {
   Executor executor{0};
@@ -51,27 +22,6 @@ TEST(AdjustMap, LeavesAPerfectMapAsItIs) {
   EXPECT_EQ(pair.links.size(), num_links);
   EXPECT_LT(pair.ErrorOfB(), 1e-6);
   EXPECT_EQ(CheckInvariants(pair.a) + CheckInvariants(pair.b), "");
-}
-
-TEST(AdjustMap, FindsTheCameraOfOneDriveAndLeavesTheOthers) {
-  MergedPair pair(0.1);
-  const Camera truth = pair.a.camera();
-  const Eigen::Vector3d error(0.004, 0.003, -0.003);
-  ASSERT_TRUE(pair.a.SetCamera(CorrectedCamera(truth, error)));
-  AdjustMapFinally(pair.placed, {}, &pair.links);
-  EXPECT_LT(CorrectionOf(truth, pair.a.camera()).norm(), 0.3 * error.norm());
-  EXPECT_LT(CorrectionOf(truth, pair.b.camera()).norm(), 0.3 * error.norm());
-  EXPECT_EQ(CheckInvariants(pair.a) + CheckInvariants(pair.b), "");
-}
-
-TEST(AdjustMap, KeepsCamerasThatAreSaidToBeExact) {
-  MergedPair pair(0.1);
-  const Camera wrong = CorrectedCamera(pair.a.camera(), {0.004, 0.003, -0.003});
-  ASSERT_TRUE(pair.a.SetCamera(wrong));
-  MapperOptions exact;
-  exact.adjust.focal_sigma = 0.0;
-  AdjustMapFinally(pair.placed, exact, &pair.links);
-  EXPECT_TRUE(pair.a.camera() == wrong);
 }
 
 TEST(AdjustMap, PullsAMisplacedSessionIntoItsPlace) {

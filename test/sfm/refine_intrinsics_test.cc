@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "sfm/synthetic_bundle.h"
 
 namespace rovio_sfm {
@@ -78,6 +80,18 @@ TEST(RefineIntrinsics, LeavesACameraThatIsRight) {
 
 // A calibration does not err by that much: the pictures err in another way.
 TEST(RefineIntrinsics, DoesNotBelieveALargeError) { ExpectLeftAlone({{0.03, 0.0, 0.02}, 0.5}); }
+
+// What errs so in one half of a drive alone is no calibration.
+TEST(RefineIntrinsics, DoesNotBelieveACameraThatChanges) {
+  Drive drive({0.004, -0.003, 0.002}, 0.2);
+  const Camera& given = drive.problem.intrinsics[0].camera;
+  for (BundleObservation& observation : drive.problem.observations) {
+    if (2 * observation.camera < drive.problem.cameras.size()) continue;
+    const Eigen::Vector2d pixel = PixelFromNormalized(given, observation.x_normalized);
+    observation.x_normalized = *NormalizedFromPixel(drive.world.camera, pixel);
+  }
+  ExpectLeftAlone(std::move(drive));
+}
 
 TEST(RefineIntrinsics, LearnsNothingFromAStraightWay) {
   ExpectLeftAlone({{0.004, 0.0, 0.0}, 0.5, SyntheticMotion::kForward});
