@@ -37,6 +37,12 @@ bool Adjust(const BundleOptions& bundle_options, const AdjustOptions& options,
   return AdjustByWindow(&bundle->problem, bundle_options, max_frames).usable;
 }
 
+void AddUp(const PruneReport& part, PruneReport* total) {
+  total->num_observations += part.num_observations;
+  total->num_landmarks += part.num_landmarks;
+  total->num_frames += part.num_frames;
+}
+
 // False: nothing was changed.
 bool RefineCamera(const MapperOptions& options, Session* session) {
   SessionBundle bundle = MakeGlobalBundle(*session);
@@ -101,10 +107,7 @@ PruneReport AdjustFinally(const MapperOptions& options, Session* session) {
     SessionBundle bundle = MakeGlobalBundle(*session);
     if (!Adjust(FinalBundleOptions(options, false), options.adjust, &bundle)) return total;
     ApplyBundle(bundle, true, session);
-    const PruneReport pruned = PruneFinally(options, session);
-    total.num_observations += pruned.num_observations;
-    total.num_landmarks += pruned.num_landmarks;
-    total.num_frames += pruned.num_frames;
+    AddUp(PruneFinally(options, session), &total);
     const size_t count = bundle.problem.observations.size();
     if (HasSettled(std::exchange(num_observations, count), count)) break;
   }
@@ -128,11 +131,7 @@ bool MayRefine(const AdjustOptions& options, size_t num_frames) {
 
 PruneReport AdjustWithCamera(const MapperOptions& options, Session* session) {
   PruneReport total = AdjustFinally(options, session);
-  if (!RefineCamera(options, session)) return total;
-  const PruneReport again = AdjustFinally(options, session);
-  total.num_observations += again.num_observations;
-  total.num_landmarks += again.num_landmarks;
-  total.num_frames += again.num_frames;
+  if (RefineCamera(options, session)) AddUp(AdjustFinally(options, session), &total);
   return total;
 }
 

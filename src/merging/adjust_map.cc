@@ -97,40 +97,6 @@ DelayedResult<std::unique_ptr<MapBundle>> SolveBeside(const std::vector<PlacedSe
   return {std::move(solved), NumFrames(sessions), timing, wait};
 }
 
-}  // namespace
-
-size_t NumFrames(const std::vector<PlacedSession>& sessions) {
-  size_t count = 0;
-  for (const PlacedSession& placed : sessions) count += placed.session->keyframes().size();
-  return count;
-}
-
-LinkStatistics MeasureLinks(const std::vector<PlacedSession>& sessions,
-                            const std::vector<FeatureLink>& links) {
-  const SessionIndex index(sessions);
-  std::vector<double> errors;
-  LinkStatistics statistics;
-  for (const FeatureLink& link : links) {
-    const auto ends = EndsOf(index, link);
-    if (!ends) continue;
-    ++statistics.num_links;
-    if (ends->landmark_a != nullptr) {
-      errors.push_back(LinkErrorSigmas(*ends->a, ends->landmark_a->position, *ends->b, link.b) *
-                       PixelsPerSigma(*ends->b, link.b));
-    }
-    if (ends->landmark_b != nullptr) {
-      errors.push_back(LinkErrorSigmas(*ends->b, ends->landmark_b->position, *ends->a, link.a) *
-                       PixelsPerSigma(*ends->a, link.a));
-    }
-  }
-  if (errors.empty()) return statistics;
-  std::sort(errors.begin(), errors.end());
-  statistics.median_error_px = errors[errors.size() / 2];
-  return statistics;
-}
-
-namespace {
-
 // Sessions of one drive have one camera: that of the one with most keyframes.
 void ShareCameras(const std::vector<PlacedSession>& sessions) {
   std::map<DriveId, const Session*> largest;
@@ -189,6 +155,36 @@ MapAdjustmentReport AdjustUntilSettled(const std::vector<PlacedSession>& session
 }
 
 }  // namespace
+
+size_t NumFrames(const std::vector<PlacedSession>& sessions) {
+  size_t count = 0;
+  for (const PlacedSession& placed : sessions) count += placed.session->keyframes().size();
+  return count;
+}
+
+LinkStatistics MeasureLinks(const std::vector<PlacedSession>& sessions,
+                            const std::vector<FeatureLink>& links) {
+  const SessionIndex index(sessions);
+  std::vector<double> errors;
+  LinkStatistics statistics;
+  for (const FeatureLink& link : links) {
+    const auto ends = EndsOf(index, link);
+    if (!ends) continue;
+    ++statistics.num_links;
+    if (ends->landmark_a != nullptr) {
+      errors.push_back(LinkErrorSigmas(*ends->a, ends->landmark_a->position, *ends->b, link.b) *
+                       PixelsPerSigma(*ends->b, link.b));
+    }
+    if (ends->landmark_b != nullptr) {
+      errors.push_back(LinkErrorSigmas(*ends->b, ends->landmark_b->position, *ends->a, link.a) *
+                       PixelsPerSigma(*ends->a, link.a));
+    }
+  }
+  if (errors.empty()) return statistics;
+  std::sort(errors.begin(), errors.end());
+  statistics.median_error_px = errors[errors.size() / 2];
+  return statistics;
+}
 
 MapAdjustmentReport AdjustMapFinally(const std::vector<PlacedSession>& sessions,
                                      const MapperOptions& options,

@@ -59,7 +59,7 @@ class NewPoints {
     return true;
   }
 
-  // What a journal remembers is shared with nobody, as its copies are made here.
+  // What a journal remembers may be shared with a copy of the session: it is replaced.
   template <typename Frame>
   bool AddAll(SessionEpoch::Parts<uint32_t, Frame>* remembered) {
     for (auto& [index, frame] : *remembered) {

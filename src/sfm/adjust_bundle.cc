@@ -155,7 +155,8 @@ void SetGauge(const Gauge& gauge, std::vector<PoseBlock>* poses, ceres::Problem*
   }
 }
 
-// Points are eliminated first.
+// Points are eliminated first. Within a group Ceres goes by address, so poses and intrinsics, which
+// the heap may put either way round, have a group each: same bytes every time.
 std::shared_ptr<ceres::ParameterBlockOrdering> MakeOrdering(std::vector<Eigen::Vector3d>* points,
                                                             CameraBlocks* blocks,
                                                             const ceres::Problem& solver) {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "rovio_sfm/geometry/triangulate.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -18,11 +20,11 @@ constexpr int kMaxIterations = 10;
 double Variance(const BundleProblem& problem, double loss_sigmas) {
   double sum = 0.0;
   for (const BundleObservation& observation : problem.observations) {
-    const Rigid3& cam_from_map = problem.cameras[observation.camera].cam_from_map;
-    const Eigen::Vector2d projection =
-        (cam_from_map * problem.points[observation.point]).hnormalized();
-    const double squared =
-        ((projection - observation.x_normalized) / observation.sigma).squaredNorm();
+    const auto error =
+        ReprojectionError(problem.cameras[observation.camera].cam_from_map,
+                          observation.x_normalized, problem.points[observation.point]);
+    if (!error) continue;  // behind the camera: the problem will not be usable
+    const double squared = std::pow(*error / observation.sigma, 2);
     const double scale = loss_sigmas * loss_sigmas;
     sum += scale > 0.0 ? scale * std::log1p(squared / scale) : squared;
   }
