@@ -50,7 +50,7 @@ QUESTIONS = (
              {name: settings.feature(name) for name in settings.FEATURES}, (laboratory, fountain)),
     Question("Matcher", "`pair.match.matcher`.", {name: settings.matcher(name) for name in settings.MATCHERS},
              (laboratory, fountain)),
-    Question("Guided matching", "`pair.use_guided`: a second pass along the epipolar band.",
+    Question("Guided matching", "`pair.use_guided`: a second pass, where the depths of known matches say.",
              {"on": DEFAULT, "off": frontend(pair={"use_guided": False})}, (laboratory, fountain)),
     Question("Ratio of the nearest two", "`pair.max_ratio`, Lowe's.",
              {"0.9": DEFAULT, "0.8": frontend(pair={"max_ratio": 0.8})}, (laboratory, fountain)),

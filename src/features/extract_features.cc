@@ -35,14 +35,15 @@ SelectOptions SelectOptionsFrom(const ExtractOptions& options) {
 
 Described ExtractSift(const cv::Mat& grey, const ExtractOptions& options) {
   const std::vector<SiftOctave> octaves = BuildSiftOctaves(grey, options.upsample);
+  SelectOptions select = SelectOptionsFrom(options);
+  select.size_exponent = options.sift_size_exponent;
   Described described;
-  described.keypoints =
-      SelectKeypoints(FindSiftKeypoints(octaves, {options.sift_contrast, options.sift_edge}),
-                      grey.size(), SelectOptionsFrom(options));
+  described.keypoints = SelectKeypoints(
+      FindSiftKeypoints(octaves, {options.sift_contrast, options.sift_edge}), grey.size(), select);
   if (options.fill_with_corners &&
       described.keypoints.size() < static_cast<size_t>(options.max_features)) {
-    FillWith(FindCorners(octaves.front(), options.min_distance_px), grey.size(),
-             SelectOptionsFrom(options), &described.keypoints);
+    FillWith(FindCorners(octaves.front(), options.min_distance_px), grey.size(), select,
+             &described.keypoints);
   }
   OrientSift(octaves, &described.keypoints);
   described.descriptors = RootSiftFromSift(DescribeSift(octaves, described.keypoints));

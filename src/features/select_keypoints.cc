@@ -4,13 +4,26 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace rovio_sfm {
 namespace {
 
-bool IsStronger(const cv::KeyPoint& a, const cv::KeyPoint& b) {
-  return std::make_tuple(-a.response, a.pt.y, a.pt.x, a.angle, a.size) <
-         std::make_tuple(-b.response, b.pt.y, b.pt.x, b.angle, b.size);
+std::vector<cv::KeyPoint> StrongestFirst(const std::vector<cv::KeyPoint>& keypoints,
+                                         double size_exponent) {
+  std::vector<std::pair<float, cv::KeyPoint>> ranked;  // by strength
+  for (const cv::KeyPoint& keypoint : keypoints) {
+    const float factor = std::pow(keypoint.size, static_cast<float>(size_exponent));
+    ranked.emplace_back(keypoint.response * factor, keypoint);
+  }
+  std::sort(ranked.begin(), ranked.end(), [](const auto& x, const auto& y) {
+    const cv::KeyPoint &a = x.second, &b = y.second;
+    return std::make_tuple(-x.first, a.pt.y, a.pt.x, a.angle, a.size) <
+           std::make_tuple(-y.first, b.pt.y, b.pt.x, b.angle, b.size);
+  });
+  std::vector<cv::KeyPoint> sorted;
+  for (const auto& [strength, keypoint] : ranked) sorted.push_back(keypoint);
+  return sorted;
 }
 
 bool IsAbove(const cv::KeyPoint& a, const cv::KeyPoint& b) {
@@ -99,9 +112,8 @@ void OrderByCellRank(int cell_px, std::vector<cv::KeyPoint>* strongest_first) {
 std::vector<cv::KeyPoint> SelectKeypoints(const std::vector<cv::KeyPoint>& candidates,
                                           const cv::Size& image_size,
                                           const SelectOptions& options) {
-  std::vector<cv::KeyPoint> sorted = candidates;
-  std::sort(sorted.begin(), sorted.end(), IsStronger);
-  std::vector<cv::KeyPoint> chosen = SuppressNear(sorted, image_size, options);
+  std::vector<cv::KeyPoint> chosen =
+      SuppressNear(StrongestFirst(candidates, options.size_exponent), image_size, options);
   OrderByCellRank(options.cell_px, &chosen);
   if (chosen.size() > static_cast<size_t>(options.max_keypoints)) {
     chosen.resize(static_cast<size_t>(options.max_keypoints));

@@ -129,14 +129,15 @@ std::optional<FrameEvent> Frontend::AddKeyframe(const PreparedImage& image) {
   if (event.features->keypoints.size() < static_cast<size_t>(options_.min_features)) {
     return Drop(&counters_.featureless, "image has too few features");
   }
-  const RecentKeyframe keyframe{event.id.index, event.features,
-                                OdomFromCamera(event.odometry, event.base_from_camera)};
+  RecentKeyframe keyframe{event.id.index, event.features,
+                          OdomFromCamera(event.odometry, event.base_from_camera)};
   {
     const StageTimes::Scope scope = MeasureStage(times_, "match");
     event.pairs = MatchRecursively(drive_->recent, keyframe, event.camera, options_.pair,
                                    options_.recursion, seed_);
   }
   LinkTracks(&event);
+  keyframe.tracks = event.tracks;
   Remember(keyframe);
   FollowFrom(image, event);
   ++drive_->next_index;

@@ -1,9 +1,14 @@
 #include "rovio_sfm/frontend/match_recursively.h"
 
+#include <unordered_map>
+#include <utility>
+
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
 namespace {
+
+constexpr double kMinAgreedShare = 0.5;  // of expected matches, by geometry
 
 Rng PairRng(uint64_t seed, uint32_t index, uint32_t other_index) {
   return Rng(seed).Fork((uint64_t{index} << 32) | other_index);
@@ -15,20 +20,69 @@ bool FitsOdometry(const PairMatches& pair, const RecentKeyframe& other,
   return PassesOdometryGate(pair, *other.odom_from_camera, *keyframe.odom_from_camera, options);
 }
 
+std::unordered_map<TrackId, uint32_t> FeatureOfTrack(const RecentKeyframe& keyframe) {
+  std::unordered_map<TrackId, uint32_t> features;  // look-up only
+  for (uint32_t i = 0; i < keyframe.tracks.size(); ++i) {
+    if (keyframe.tracks[i] != 0) features[keyframe.tracks[i]] = i;
+  }
+  return features;
+}
+
+// A feature that matches one of a track in a nearer keyframe is expected to match that of the track
+// in the other. pairs: with the newest of the recent ones, from the last on.
+std::vector<FeatureMatch> ExpectMatches(const std::deque<RecentKeyframe>& recent,
+                                        const std::vector<PairMatches>& pairs,
+                                        const RecentKeyframe& other,
+                                        const RecentKeyframe& keyframe) {
+  const std::unordered_map<TrackId, uint32_t> feature_of = FeatureOfTrack(other);
+  std::vector<bool> is_told(keyframe.features->keypoints.size(), false);
+  std::vector<FeatureMatch> expected;
+  auto nearer = recent.rbegin();
+  for (const PairMatches& pair : pairs) {
+    const std::vector<TrackId>& tracks = (nearer++)->tracks;
+    for (const FeatureMatch& match : pair.inliers) {
+      if (is_told[match.b] || match.a >= tracks.size()) continue;
+      const auto feature = feature_of.find(tracks[match.a]);
+      if (feature == feature_of.end()) continue;
+      is_told[match.b] = true;
+      expected.push_back({feature->second, match.b, match.distance, match.ratio});
+    }
+  }
+  return expected;
+}
+
+// Whether geometry says of a pair what its matches were expected to.
+bool IsAsExpected(const PairMatches& pair, size_t num_expected, size_t min_expected) {
+  return pair.verdict == PairVerdict::kGeneral && pair.counts.ransac >= min_expected &&
+         pair.counts.ransac >= kMinAgreedShare * static_cast<double>(num_expected);
+}
+
 }  // namespace
 
 std::vector<PairMatches> MatchRecursively(const std::deque<RecentKeyframe>& recent,
                                           const RecentKeyframe& keyframe, const Camera& camera,
                                           const PairOptions& pair_options,
                                           const RecursionOptions& options, uint64_t seed) {
+  const auto match = [&](const RecentKeyframe& other, const std::vector<PairMatches>& nearer) {
+    const auto min_expected = static_cast<size_t>(options.min_expected);
+    const Rng rng = PairRng(seed, keyframe.index, other.index);
+    const FrameFeatures &in_other = *other.features, &in_keyframe = *keyframe.features;
+    const std::vector<FeatureMatch> expected = ExpectMatches(recent, nearer, other, keyframe);
+    if (expected.size() >= min_expected) {
+      Rng own = rng;
+      PairMatches pair =
+          MatchExpected(other.index, in_other, in_keyframe, expected, camera, pair_options, own);
+      if (IsAsExpected(pair, expected.size(), min_expected)) return pair;
+    }
+    Rng own = rng;
+    return MatchPair(other.index, in_other, in_keyframe, camera, pair_options, own);
+  };
   std::vector<PairMatches> pairs;
   int num_misses = 0;
   for (auto other = recent.rbegin(); other != recent.rend(); ++other) {
     if (pairs.size() == static_cast<size_t>(options.max_frames)) break;
     if (num_misses > options.max_misses) break;
-    Rng rng = PairRng(seed, keyframe.index, other->index);
-    pairs.push_back(
-        MatchPair(other->index, *other->features, *keyframe.features, camera, pair_options, rng));
+    pairs.push_back(match(*other, pairs));
     if (pairs.back().inliers.size() >= static_cast<size_t>(options.min_matches) &&
         FitsOdometry(pairs.back(), *other, keyframe, options.odometry_gate)) {
       continue;

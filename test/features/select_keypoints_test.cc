@@ -26,6 +26,21 @@ TEST(SelectKeypoints, KeepsTheStrongerOfTwoNearOnes) {
   EXPECT_EQ(chosen[0].response, 2.0f);
 }
 
+TEST(SelectKeypoints, MeasuresStrengthBySizeTooWhereAsked) {
+  cv::KeyPoint large = At(150, 150, 5);
+  large.size = 16 * large.size;
+  SelectOptions options;
+  options.max_keypoints = 1;
+  options.max_candidates = 1;
+  const auto first_of = [&](double exponent) {
+    options.size_exponent = exponent;
+    return SelectKeypoints({At(10, 10, 9), large}, cv::Size(200, 200), options).front().response;
+  };
+  EXPECT_EQ(first_of(0.0), 9.0f);
+  EXPECT_EQ(first_of(0.2), 9.0f);   // 5 · 16^0.2 = 8.7
+  EXPECT_EQ(first_of(0.25), 5.0f);  // 10
+}
+
 TEST(SelectKeypoints, KeepsOneOrientationOfAPlaceWhateverTheOrder) {
   const std::vector<cv::KeyPoint> one =
       SelectKeypoints({At(10, 10, 1, 200), At(10, 10, 1, 40)}, cv::Size(200, 200), {});

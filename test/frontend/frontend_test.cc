@@ -43,6 +43,15 @@ TEST(Frontend, EveryImageIsAKeyframeMatchedWithItsPredecessors) {
   EXPECT_EQ(pair.counts.guided, pair.inliers.size());
 }
 
+TEST(Frontend, TellsByTracksWhatASearchWouldFind) {
+  FrontendOptions options = SmallOptions(KeyframeMode::kEvery);
+  const auto told = EventsOf(options, 8.0, 3);
+  options.recursion.min_expected = 1'000'000;
+  const auto searched = EventsOf(options, 8.0, 3);
+  EXPECT_EQ(told[2].pairs[0].counts.ratio, searched[2].pairs[0].counts.ratio);
+  EXPECT_NE(told[2].pairs[1].counts.ratio, searched[2].pairs[1].counts.ratio);
+}
+
 TEST(Frontend, MatchedFeaturesShareATrackUsedOnceAFrame) {
   const auto events = EventsOf(SmallOptions(KeyframeMode::kEvery), 8.0, 2);
   ASSERT_EQ(events.size(), 2u);

@@ -42,7 +42,7 @@ FrontendThresholdsConfig Changed(const std::string& name, Value value) {
 
 TEST(FrontendThresholds, AreNamedByTheirPaths) {
   const auto values = ValuesOf(FrontendThresholdsConfig());
-  EXPECT_EQ(values.size(), 26u);
+  EXPECT_EQ(values.size(), 27u);
   EXPECT_EQ(values.at("min_features"), 20.0);
   EXPECT_EQ(values.at("recursion_max_frames"), 8.0);
   EXPECT_EQ(values.at("pair_use_guided"), 1.0);
@@ -85,7 +85,7 @@ TEST(FrontendThresholds, OtherOptionsStay) {
 TEST(FrontendThresholds, DescribeThemselves) {
   const auto description = FrontendThresholdsConfig::__getDescriptionMessage__();
   ASSERT_EQ(description.groups.size(), 1u);
-  ASSERT_EQ(description.groups[0].parameters.size(), 26u);
+  ASSERT_EQ(description.groups[0].parameters.size(), 27u);
   EXPECT_EQ(description.groups[0].parameters[0].name, "min_features");
   EXPECT_EQ(description.groups[0].parameters[0].type, "int");
   EXPECT_EQ(description.groups[0].parameters[0].description, "images with fewer are dropped");

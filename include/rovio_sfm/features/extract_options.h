@@ -14,6 +14,7 @@ struct ExtractOptions {
   double candidate_factor = 1.25;
   double sift_contrast = 0.004;
   double sift_edge = 10.0;
+  double sift_size_exponent = 0.75;
   bool upsample = true;
   int orb_threshold = 7;
   double akaze_threshold = 3e-4;
@@ -36,6 +37,8 @@ struct ExtractOptions {
     table.AddLiveNumber("sift_contrast", sift_contrast, 1e-4, 0.2,
                         "least; low, because the spread chooses");
     table.AddNumber("sift_edge", sift_edge, 2.0, 100.0, "greatest edge ratio");
+    table.AddNumber("sift_size_exponent", sift_size_exponent, 0.0, 2.0,
+                    "strength is contrast times size to this power");
     table.AddFlag("upsample", upsample, "SIFT: also features of the doubled image");
     table.AddNumber("orb_threshold", orb_threshold, 1, 100, "least FAST contrast, grey levels");
     table.AddNumber("akaze_threshold", akaze_threshold, 1e-6, 0.1, "least response");

@@ -11,6 +11,7 @@ struct SelectOptions {
   int cell_px = 48;              // side of a grid cell
   double min_distance_px = 1.5;  // of two nearer keypoints the weaker one goes
   int border_px = 3;             // keypoints nearer to the edge go
+  double size_exponent = 0.0;    // strength is response times size to this power
 };
 
 // Spreads keypoints evenly: suppresses near duplicates (of equal ones, several orientations of one

@@ -10,18 +10,27 @@
 
 namespace rovio_sfm {
 
-// The second pass of §5.1.5: features that the first left unmatched, along the epipolar band.
+// The second pass of §5.1.5: features that the first left unmatched, along the part of the epipolar
+// line where the depths of known matches round them say they are.
 struct GuidedOptions {
   double band_px = 2.0;
-  float max_ratio = 0.9f;
+  float max_ratio = 0.8f;
   float max_factor = 1.25f;
-  double min_depth_baselines = 1.0;
+  int few_known = 100;
+  float few_factor = 1.5f;
+  int neighbors = 8;
+  double max_depth_ratio = 1.3;
 
   void DescribeOptions(OptionTable& table) {
     table.AddLiveNumber("band_px", band_px, 0.1, 20.0, "half width of the band");
     table.AddNumber("max_ratio", max_ratio, 0.1, 1.0, "Lowe's, among the features of the band");
     table.AddNumber("max_factor", max_factor, 0.1, 10.0, "of the known matches' mean distance");
-    table.AddNumber("min_depth_baselines", min_depth_baselines, 0.0, 100.0, "nearer is not sought");
+    table.AddNumber("few_known", few_known, 0, 100000, "known matches; fewer: few_factor instead");
+    table.AddNumber("few_factor", few_factor, 0.1, 10.0,
+                    "false matches harm less than a lost frame");
+    table.AddNumber("neighbors", neighbors, 1, 1000, "known matches whose depths bound the band");
+    table.AddNumber("max_depth_ratio", max_depth_ratio, 1.0, 100.0,
+                    "beyond the nearest or farthest of them");
   }
 };
 

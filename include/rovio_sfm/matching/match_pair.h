@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "rovio_sfm/geometry/camera.h"
 #include "rovio_sfm/matching/match_descriptors.h"
@@ -28,7 +29,7 @@ struct PairOptions {
     table.AddLiveNumber("max_ratio", max_ratio, 0.1, 1.0, "Lowe's, τ_u");
     table.AddLiveNumber("max_mean_factor", max_mean_factor, 0.1, 10.0, "percentile filter, τ_κ");
     table.AddGroup("verify", verify, "RANSAC on the essential matrix");
-    table.AddLiveFlag("use_guided", use_guided, "second pass, along the epipolar band");
+    table.AddLiveFlag("use_guided", use_guided, "second pass, where known matches' depths tell");
     table.AddGroup("guided", guided, "");
   }
 };
@@ -44,5 +45,11 @@ PairMatches MatchPair(uint32_t other_index, const FrameFeatures& other,
 PairMatches MatchPair(uint32_t other_index, const FrameFeatures& other,
                       const FrameFeatures& features, double focal_px, const PairOptions& options,
                       Rng& rng);
+
+// From matches that other frames tell (ratios theirs, distances anew) instead of a search: the
+// percentile filter and those after it.
+PairMatches MatchExpected(uint32_t other_index, const FrameFeatures& other,
+                          const FrameFeatures& features, std::vector<FeatureMatch> expected,
+                          const Camera& camera, const PairOptions& options, Rng& rng);
 
 }  // namespace rovio_sfm
