@@ -5,6 +5,10 @@
 
 namespace rovio_sfm {
 
+bool AreComparable(const Descriptors& a, const Descriptors& b) {
+  return a.type == b.type && a.length == b.length && a.metric == b.metric;
+}
+
 float DescriptorDistance(const Descriptors& a, size_t index_a, const Descriptors& b,
                          size_t index_b) {
   const uint8_t *row_a = a.Row(index_a), *row_b = b.Row(index_b);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <opencv2/core.hpp>
 
+#include "rovio_sfm/matching/descriptor_distance.h"
 #include "rovio_sfm/matching/match_approximate.h"
 #include "rovio_sfm/util/byte_products.h"
 
@@ -77,7 +78,7 @@ std::vector<FeatureMatch> MatchExactHamming(const Descriptors& a, const Descript
 std::vector<FeatureMatch> MatchDescriptors(const Descriptors& a, const Descriptors& b,
                                            const MatchOptions& options) {
   if (a.Count() == 0 || b.Count() == 0) return {};
-  if (a.type != b.type || a.length != b.length || a.metric != b.metric) return {};
+  if (!AreComparable(a, b)) return {};
   if (a.metric == DescriptorMetric::kHamming) return MatchExactHamming(a, b);
   if (options.matcher == Matcher::kExact) return MatchExactL2(a, b);
   return MatchApproximately(a, b, options);

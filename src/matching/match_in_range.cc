@@ -100,10 +100,7 @@ std::vector<FeatureMatch> MatchInRange(const FrameFeatures& a, const FrameFeatur
                                        const std::vector<DepthRange>& ranges_in_b,
                                        const std::vector<FeatureMatch>& known, double focal_px,
                                        const RangeMatchOptions& options) {
-  if (known.empty() || a.descriptors.type != b.descriptors.type ||
-      a.descriptors.length != b.descriptors.length) {
-    return {};
-  }
+  if (known.empty() || !AreComparable(a.descriptors, b.descriptors)) return {};
   const std::vector<Candidate> free = FreeFeatures(a, known);
   const Search search{a.descriptors,
                       b.descriptors,

@@ -93,6 +93,7 @@ PairMatches MatchExpected(uint32_t other_index, const FrameFeatures& other,
                           const FrameFeatures& features, std::vector<FeatureMatch> expected,
                           const Camera& camera, const PairOptions& options, Rng& rng) {
   PairMatches pair = StartPair(other_index, features);
+  if (!AreComparable(other.descriptors, features.descriptors)) return pair;
   for (FeatureMatch& match : expected) {
     match.distance = DescriptorDistance(other.descriptors, match.a, features.descriptors, match.b);
   }

@@ -6,7 +6,10 @@
 
 namespace rovio_sfm {
 
-// The distance of two descriptors of one type and length, in their metric.
+// Whether they are of one type, length and metric.
+bool AreComparable(const Descriptors& a, const Descriptors& b);
+
+// The distance of two comparable descriptors, in their metric.
 float DescriptorDistance(const Descriptors& a, size_t index_a, const Descriptors& b,
                          size_t index_b);
 
