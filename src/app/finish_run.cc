@@ -108,8 +108,8 @@ void Tell(const RunToFinish& finish, const MapRun& run, const std::vector<Writte
   if (!run.left_out.empty()) out << "left out:\n" << ReasonTable(run.left_out);
 }
 
-// Why no map was started, by figures, in one sentence.
-std::string WhyNothing(const MapRun& run, const BootstrapOptions& start) {
+// Why no map was started, or none of most images, by figures, in one sentence.
+std::string WhyUnposed(const MapRun& run, const BootstrapOptions& start) {
   if (run.frontend.keyframes == 0) return "the reasons stand above";
   if (run.funnel.pairs == 0) return "no two of them were compared";
   const auto pairs = static_cast<double>(run.funnel.pairs);
@@ -128,10 +128,14 @@ int StatusOf(const RunToFinish& finish, const std::vector<WrittenMap>& maps, std
         << " images were looked at\n";
     return StatusOfStop();
   }
+  const std::string why = WhyUnposed(run, finish.arguments->mapper.mapper.bootstrap);
+  const size_t num_unposed = CountImagesWithoutPose(run);
+  if (!maps.empty() && 2 * num_unposed > run.num_images) {
+    out << num_unposed << " of " << run.num_images << " images have no pose: " << why << "\n";
+  }
   if (!maps.empty()) return 0;
   out << "no image was registered: of " << run.num_images << " images " << run.frontend.keyframes
-      << " became keyframes; " << WhyNothing(run, finish.arguments->mapper.mapper.bootstrap)
-      << "\n";
+      << " became keyframes; " << why << "\n";
   return kNothingRegistered;
 }
 

@@ -227,6 +227,12 @@ std::string WhyInMapUnits(const MapRun& run) {
   return run.why_no_scale.empty() ? WhyNoScale(run.motion) : run.why_no_scale;
 }
 
+size_t CountImagesWithoutPose(const MapRun& run) {
+  size_t count = 0;
+  for (const auto& names : ImagesWithoutPose(run)) count += names.size();
+  return count;
+}
+
 std::string RefinedCameras(const MapRun& run) {
   std::ostringstream out;
   out << std::fixed << std::setprecision(2) << std::showpos;

@@ -45,6 +45,16 @@ TEST(MapSummaryJson, CountsImagesAndLeavesOutWhatIsNotKnown) {
   EXPECT_EQ(json["matching"]["ransac_share"], 0.3);
 }
 
+TEST(MapSummaryJson, CountsTheNamedImagesThatHaveNoPose) {
+  MapRun run = SmallRun();
+  EXPECT_EQ(CountImagesWithoutPose(run), 0u);
+  const SessionSnapshot& session = run.snapshot->sessions[0];
+  std::vector<std::string>& names = run.image_names[session.drive.robot];
+  names = {session.frames.front()->front().image_name, "nowhere.png", "lost.png"};
+  EXPECT_EQ(CountImagesWithoutPose(run), 2u);
+  EXPECT_EQ(MapSummaryJson(run)["images_without_pose"][session.drive.robot].size(), 2u);
+}
+
 TEST(MapSummaryJson, TellsWhichCalibrationsThePicturesToldOtherwise) {
   MapRun run = SmallRun();
   EXPECT_TRUE(MapSummaryJson(run)["refined_cameras"].empty());

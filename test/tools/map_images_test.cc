@@ -4,6 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "frontend/moving_images.h"
 #include "rovio_sfm/io/text_file.h"
 #include "tools/command_line.h"
 #include "util/temporary_folder.h"
@@ -60,6 +61,28 @@ TEST(MapImagesCommand, SaysHowMuchTheImagesSharedWhereNoMapStarts) {
   EXPECT_NE(printed.find(" features and shares 0 points with the one before it"), std::string::npos)
       << printed;
   EXPECT_NE(printed.find("two that share 100 "), std::string::npos) << printed;
+}
+
+// A few images of a walk past two walls, and as many again and more that show other things.
+TEST(MapImagesCommand, SaysHowMuchTheImagesSharedWhereMostHaveNoPose) {
+  const TemporaryFolder folder;
+  folder.Write("drive/calibration.txt", "256 256 160 120 0 0 0 0 0 320 240\n");
+  folder.Write("drive/images/0.png", "");
+  std::string times;
+  for (int i = 0; i < 24; ++i) {
+    const std::string name = "images/" + std::to_string(i) + ".png";
+    const cv::Mat image = i < 10 ? MovingImages().At(12.0 * i) : Squares(static_cast<uint64_t>(i));
+    cv::Mat resized;
+    cv::resize(image, resized, {320, 240}, 0, 0, cv::INTER_NEAREST);
+    cv::imwrite((folder.Path() / "drive" / name).string(), resized);
+    times += std::to_string(i) + " " + name + "\n";
+  }
+  folder.Write("drive/times.txt", times);
+  std::string printed;
+  const std::string out = folder.Path() / "out";
+  ASSERT_EQ(RunCommand(MapImagesCommand, {folder.Path() / "drive", "--out", out}, &printed), 0);
+  EXPECT_NE(printed.find("14 of 24 images have no pose: each shows "), std::string::npos)
+      << printed;
 }
 
 TEST(MapImagesCommand, RefusesBadArguments) {

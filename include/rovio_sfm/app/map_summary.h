@@ -44,6 +44,9 @@ struct MapRun {
   double peak_rss_mb = 0.0;
 };
 
+// How many images of the run have a pose of their own in no map, of those whose names are known.
+size_t CountImagesWithoutPose(const MapRun& run);
+
 // A line for each session whose calibration its pictures told otherwise; empty: none.
 std::string RefinedCameras(const MapRun& run);
 
