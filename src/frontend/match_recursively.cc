@@ -57,32 +57,34 @@ bool IsAsExpected(const PairMatches& pair, size_t num_expected, size_t min_expec
          pair.counts.ransac >= kMinAgreedShare * static_cast<double>(num_expected);
 }
 
+// By the matches that are expected, where they are enough and hold; else by a search through all.
+PairMatches MatchOne(const RecentKeyframe& other, const RecentKeyframe& keyframe,
+                     const std::vector<FeatureMatch>& expected, const Camera& camera,
+                     const PairOptions& options, size_t min_expected, const Rng& rng) {
+  if (expected.size() >= min_expected) {
+    Rng own = rng;
+    PairMatches pair = MatchExpected(other.index, *other.features, *keyframe.features, expected,
+                                     camera, options, own);
+    if (IsAsExpected(pair, expected.size(), min_expected)) return pair;
+  }
+  Rng own = rng;
+  return MatchPair(other.index, *other.features, *keyframe.features, camera, options, own);
+}
+
 }  // namespace
 
 std::vector<PairMatches> MatchRecursively(const std::deque<RecentKeyframe>& recent,
                                           const RecentKeyframe& keyframe, const Camera& camera,
                                           const PairOptions& pair_options,
                                           const RecursionOptions& options, uint64_t seed) {
-  const auto match = [&](const RecentKeyframe& other, const std::vector<PairMatches>& nearer) {
-    const auto min_expected = static_cast<size_t>(options.min_expected);
-    const Rng rng = PairRng(seed, keyframe.index, other.index);
-    const FrameFeatures &in_other = *other.features, &in_keyframe = *keyframe.features;
-    const std::vector<FeatureMatch> expected = ExpectMatches(recent, nearer, other, keyframe);
-    if (expected.size() >= min_expected) {
-      Rng own = rng;
-      PairMatches pair =
-          MatchExpected(other.index, in_other, in_keyframe, expected, camera, pair_options, own);
-      if (IsAsExpected(pair, expected.size(), min_expected)) return pair;
-    }
-    Rng own = rng;
-    return MatchPair(other.index, in_other, in_keyframe, camera, pair_options, own);
-  };
   std::vector<PairMatches> pairs;
   int num_misses = 0;
   for (auto other = recent.rbegin(); other != recent.rend(); ++other) {
     if (pairs.size() == static_cast<size_t>(options.max_frames)) break;
     if (num_misses > options.max_misses) break;
-    pairs.push_back(match(*other, pairs));
+    pairs.push_back(MatchOne(*other, keyframe, ExpectMatches(recent, pairs, *other, keyframe),
+                             camera, pair_options, static_cast<size_t>(options.min_expected),
+                             PairRng(seed, keyframe.index, other->index)));
     if (pairs.back().inliers.size() >= static_cast<size_t>(options.min_matches) &&
         FitsOdometry(pairs.back(), *other, keyframe, options.odometry_gate)) {
       continue;

@@ -22,7 +22,7 @@ double InverseDepth(const Eigen::Vector2d& x_in_a, const Eigen::Vector2d& x_in_b
                     const Rigid3& b_from_a) {
   const Eigen::Vector3d ray = x_in_b.homogeneous();
   const Eigen::Vector3d direction = b_from_a.rotation * x_in_a.homogeneous();
-  // depth · ray = translation + depth in a · direction, without the latter
+  // Crossed with the direction, depth · ray = translation + depth in a · direction loses its end.
   const Eigen::Vector3d across = direction.cross(ray),
                         offset = direction.cross(b_from_a.translation);
   return across.dot(offset) / offset.squaredNorm();
