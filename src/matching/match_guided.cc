@@ -12,13 +12,6 @@ namespace {
 
 constexpr double kMinInverseDepth = 1e-6;  // of baselines: as good as at infinity
 
-// The more features a band holds, the likelier one of them looks right by chance.
-float Strictness(size_t num_features) {
-  constexpr double kSparseFeatures = 1000.0, kExponent = -0.05;
-  const double density = std::max(1.0, static_cast<double>(num_features) / kSparseFeatures);
-  return static_cast<float>(std::pow(density, kExponent));
-}
-
 cv::Mat PlaceRow(const Keypoint& keypoint) {
   return (cv::Mat_<float>(1, 2) << static_cast<float>(keypoint.x_normalized.x()),
           static_cast<float>(keypoint.x_normalized.y()));
@@ -86,9 +79,8 @@ std::vector<FeatureMatch> MatchGuided(const FrameFeatures& a, const FrameFeature
   const double band = options.band_px / focal_px;
   const bool is_few = known.size() < static_cast<size_t>(options.few_known);
   const float max_factor = is_few ? options.few_factor : options.max_factor;
-  return MatchInRange(
-      a, b, unit, DepthsAround(a, b, unit, known, band, options), known, focal_px,
-      {options.band_px, options.max_ratio, Strictness(a.keypoints.size()) * max_factor});
+  return MatchInRange(a, b, unit, DepthsAround(a, b, unit, known, band, options), known, focal_px,
+                      {options.band_px, options.max_ratio, max_factor});
 }
 
 }  // namespace rovio_sfm

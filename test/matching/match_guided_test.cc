@@ -111,18 +111,6 @@ TEST(MatchGuided, AllowsMoreWhereFewMatchesAreKnown) {
   EXPECT_TRUE(MatchGuided(pair.a, pair.b, pair.b_from_a, known, kFocalPx, options).empty());
 }
 
-// By chance alone more features look alike where there are more.
-TEST(MatchGuided, AllowsLessWhereThereAreThousandsOfFeatures) {
-  CameraPair pair = MakePair(3);
-  std::vector<FeatureMatch> known = {{0, 0, 100.0f, 0.5f}, {1, 1, 100.0f, 0.5f}};
-  for (size_t i = 128; i < 192; ++i) pair.b.descriptors.data[i] = 10 + 15;  // at a distance of 120
-  GuidedOptions options;
-  options.few_known = 0;
-  EXPECT_EQ(MatchGuided(pair.a, pair.b, pair.b_from_a, known, kFocalPx, options).size(), 1u);
-  while (pair.a.keypoints.size() < 8000) AddFeature({9.0, 9.0, 1.0}, 200, &pair.a);
-  EXPECT_TRUE(MatchGuided(pair.a, pair.b, pair.b_from_a, known, kFocalPx, options).empty());
-}
-
 TEST(MatchGuided, IsEmptyWithoutKnownMatchesOrTranslation) {
   const CameraPair pair = MakePair(10);
   EXPECT_TRUE(MatchGuided(pair.a, pair.b, pair.b_from_a, {}, kFocalPx, {}).empty());
