@@ -34,6 +34,7 @@ std::vector<FeatureMatch> ExpectMatches(const std::deque<RecentKeyframe>& recent
                                         const std::vector<PairMatches>& pairs,
                                         const RecentKeyframe& other,
                                         const RecentKeyframe& keyframe) {
+  if (pairs.empty()) return {};
   const std::unordered_map<TrackId, uint32_t> feature_of = FeatureOfTrack(other);
   std::vector<bool> is_told(keyframe.features->keypoints.size(), false);
   std::vector<FeatureMatch> expected;

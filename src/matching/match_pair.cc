@@ -1,5 +1,6 @@
 #include "rovio_sfm/matching/match_pair.h"
 
+#include <utility>
 #include <vector>
 
 #include "rovio_sfm/matching/descriptor_distance.h"
@@ -97,7 +98,8 @@ PairMatches MatchExpected(uint32_t other_index, const FrameFeatures& other,
   for (FeatureMatch& match : expected) {
     match.distance = DescriptorDistance(other.descriptors, match.a, features.descriptors, match.b);
   }
-  const std::vector<FeatureMatch> matches = FilterByDistance(expected, options, &pair.counts);
+  const std::vector<FeatureMatch> matches =
+      FilterByDistance(std::move(expected), options, &pair.counts);
   PairOptions milder = options;
   milder.guided.max_factor *= kExpectedFactor;
   Verify(other, features, matches, camera.MeanFocal(), milder, rng, &pair);
