@@ -80,7 +80,8 @@ std::vector<FeatureMatch> MatchGuided(const FrameFeatures& a, const FrameFeature
   const bool is_few = known.size() < static_cast<size_t>(options.few_known);
   const float max_factor = is_few ? options.few_factor : options.max_factor;
   return MatchInRange(a, b, unit, DepthsAround(a, b, unit, known, band, options), known, focal_px,
-                      {options.band_px, options.max_ratio, max_factor});
+                      {options.band_px, options.max_ratio, max_factor, options.sample_step,
+                       options.max_sample_ratio});
 }
 
 }  // namespace rovio_sfm

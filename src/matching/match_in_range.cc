@@ -12,6 +12,8 @@
 namespace rovio_sfm {
 namespace {
 
+constexpr double kClearance = 4.0;  // bands from the stretch; nearer may lie the same point again
+
 struct Candidate {
   uint32_t index = 0;
   Eigen::Vector2d x_normalized;
@@ -65,8 +67,20 @@ struct Search {
   const std::vector<Candidate>& free;  // from the least y on
   double band = 0.0;                   // on the plane z = 1
   float max_distance = 0.0f;
-  float max_ratio = 1.0f;
+  RangeMatchOptions options;
 };
+
+// Whether a feature of the sample looks about as much like b's as the best of its stretch does.
+bool LooksLikeElsewhere(const Search& search, const Stretch& stretch, const FeatureMatch& best) {
+  const auto step = static_cast<size_t>(search.options.sample_step);
+  for (size_t i = 0; step > 0 && i < search.free.size(); i += step) {
+    const Candidate& candidate = search.free[i];
+    if (stretch.DistanceTo(candidate.x_normalized) <= kClearance * search.band) continue;
+    const float distance = DescriptorDistance(search.a, candidate.index, search.b, best.b);
+    if (best.distance > search.options.max_sample_ratio * distance) return true;
+  }
+  return false;
+}
 
 // Of equally near ones the first.
 std::optional<FeatureMatch> FindInStretch(const Search& search, const Stretch& stretch,
@@ -88,7 +102,8 @@ std::optional<FeatureMatch> FindInStretch(const Search& search, const Stretch& s
     }
   }
   if (!(best.distance <= search.max_distance)) return std::nullopt;
-  if (best.distance > search.max_ratio * second) return std::nullopt;
+  if (best.distance > search.options.max_ratio * second) return std::nullopt;
+  if (LooksLikeElsewhere(search, stretch, best)) return std::nullopt;
   best.ratio = best.distance / second;  // 0 where it is alone
   return best;
 }
@@ -107,7 +122,7 @@ std::vector<FeatureMatch> MatchInRange(const FrameFeatures& a, const FrameFeatur
                       free,
                       options.band_px / focal_px,
                       options.max_factor * MeanDistance(known),
-                      options.max_ratio};
+                      options};
   const Rigid3 a_from_b = Inverse(b_from_a);
   const std::vector<bool> used_b = UsedFeatures(b.keypoints.size(), known, &FeatureMatch::b);
   std::vector<FeatureMatch> found;

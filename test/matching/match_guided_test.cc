@@ -70,10 +70,12 @@ TEST(MatchGuided, TellsTwinsApartByTheDepthsRoundThem) {
     known.push_back({i, i, 20.0f, 0.5f});
   }
   for (int i = 0; i < 4; ++i) add(0.9 * i, 0.05, 7);
-  const auto found = MatchGuided(pair.a, pair.b, pair.b_from_a, known, kFocalPx, {});
+  GuidedOptions options;
+  options.sample_step = 0;  // it would hold twins
+  const auto found = MatchGuided(pair.a, pair.b, pair.b_from_a, known, kFocalPx, options);
   ASSERT_EQ(found.size(), 4u);
   for (const FeatureMatch& match : found) EXPECT_EQ(match.a, match.b);
-  GuidedOptions anywhere;
+  GuidedOptions anywhere = options;
   anywhere.max_depth_ratio = 100.0;
   EXPECT_TRUE(MatchGuided(pair.a, pair.b, pair.b_from_a, known, kFocalPx, anywhere).empty());
 }
@@ -104,7 +106,7 @@ TEST(MatchGuided, RefusesUnlikeDescriptors) {
 TEST(MatchGuided, AllowsMoreWhereFewMatchesAreKnown) {
   CameraPair pair = MakePair(3);
   const std::vector<FeatureMatch> known = {{0, 0, 100.0f, 0.5f}, {1, 1, 100.0f, 0.5f}};
-  for (size_t i = 128; i < 192; ++i) pair.b.descriptors.data[i] = 10 + 17;  // at a distance of 136
+  for (size_t i = 128; i < 192; ++i) pair.b.descriptors.data[i] = 10 + 22;  // at a distance of 176
   GuidedOptions options;
   EXPECT_EQ(MatchGuided(pair.a, pair.b, pair.b_from_a, known, kFocalPx, options).size(), 1u);
   options.few_known = 2;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "matching/camera_pair.h"
 
@@ -53,6 +54,35 @@ TEST_F(MatchInRangeTest, FindsNothingElsewhere) {
 TEST_F(MatchInRangeTest, RefusesWhatLooksOtherThanTheKnownOnes) {
   for (size_t i = 64; i < 128; ++i) a_.descriptors.data[i] = 120;
   EXPECT_TRUE(Match({4.5, 5.5}).empty());
+}
+
+// A sample of every feature: what lies off the stretch speaks too.
+TEST_F(MatchInRangeTest, RefusesWhatLooksNoMoreAlikeThanASampleFromElsewhere) {
+  AddFeature({3.0, 1.0, 5.0}, 102, &a_);  // 16 from the second of b, its partner 8
+  const auto count = [this](float max_sample_ratio) {
+    RangeMatchOptions options;
+    options.sample_step = 1;
+    options.max_sample_ratio = max_sample_ratio;
+    return MatchInRange(a_, b_, b_from_a_, {{}, {4.5, 5.5}}, kKnown, kFocalPx, options).size();
+  };
+  EXPECT_EQ(Match({4.5, 5.5}).size(), 1u);
+  EXPECT_EQ(count(0.51f), 0u);  // the twin at a nearer depth is no more than as like
+  a_.descriptors.data[2 * 64] = 0, a_.descriptors.data[2 * 64 + 1] = 0;  // now it is not
+  EXPECT_EQ(count(0.51f), 1u);
+  EXPECT_EQ(count(0.49f), 0u);
+}
+
+// There a point may have been detected twice.
+TEST_F(MatchInRangeTest, LeavesWhatLiesCloseToTheStretchOutOfTheSample) {
+  a_.descriptors.data[2 * 64] = 0;  // no twin at a nearer depth
+  AddFeature({0.0, 0.0, 5.0}, 100, &a_);
+  RangeMatchOptions options;
+  options.sample_step = 1;
+  for (const auto& [off_px, count] : {std::pair(5.0, 1u), std::pair(12.0, 0u)}) {
+    a_.keypoints.back().x_normalized.y() = off_px / kFocalPx;
+    EXPECT_EQ(MatchInRange(a_, b_, b_from_a_, {{}, {4.5, 5.5}}, kKnown, kFocalPx, options).size(),
+              count);
+  }
 }
 
 // Whichever way the line runs: each of many points that look alike in pairs has one partner in its

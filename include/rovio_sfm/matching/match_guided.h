@@ -15,9 +15,11 @@ namespace rovio_sfm {
 struct GuidedOptions {
   double band_px = 2.0;
   float max_ratio = 0.8f;
-  float max_factor = 1.25f;
+  float max_factor = 1.6f;
   int few_known = 100;
-  float few_factor = 1.5f;
+  float few_factor = 2.0f;
+  int sample_step = 8;
+  float max_sample_ratio = 0.9f;
   int neighbors = 8;
   double max_depth_ratio = 1.3;
 
@@ -27,7 +29,10 @@ struct GuidedOptions {
     table.AddNumber("max_factor", max_factor, 0.1, 10.0, "of the known matches' mean distance");
     table.AddNumber("few_known", few_known, 0, 100000, "known matches; fewer: few_factor instead");
     table.AddNumber("few_factor", few_factor, 0.1, 10.0,
-                    "false matches harm less than a lost frame");
+                    "of the mean distance: false matches harm less than a lost frame");
+    table.AddNumber("sample_step", sample_step, 0, 1000,
+                    "every so many features elsewhere must look less alike; 0: none");
+    table.AddNumber("max_sample_ratio", max_sample_ratio, 0.1, 1.0, "Lowe's, to those");
     table.AddNumber("neighbors", neighbors, 1, 1000, "known matches whose depths bound the band");
     table.AddNumber("max_depth_ratio", max_depth_ratio, 1.0, 100.0,
                     "beyond the nearest or farthest of them");
