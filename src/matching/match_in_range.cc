@@ -67,7 +67,7 @@ struct Search {
   const std::vector<Candidate>& free;  // from the least y on
   double band = 0.0;                   // on the plane z = 1
   float max_distance = 0.0f;
-  RangeMatchOptions options;
+  const RangeMatchOptions& options;
 };
 
 // Whether a feature of the sample looks about as much like b's as the best of its stretch does.
