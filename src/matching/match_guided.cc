@@ -5,8 +5,6 @@
 #include <opencv2/core.hpp>
 #include <opencv2/flann.hpp>
 
-#include "rovio_sfm/matching/match_in_range.h"
-
 namespace rovio_sfm {
 namespace {
 
@@ -76,12 +74,11 @@ std::vector<FeatureMatch> MatchGuided(const FrameFeatures& a, const FrameFeature
                                       const GuidedOptions& options) {
   if (known.empty() || b_from_a.translation.norm() < 1e-9) return {};
   const Rigid3 unit{b_from_a.rotation, b_from_a.translation.normalized()};
-  const double band = options.band_px / focal_px;
-  const bool is_few = known.size() < static_cast<size_t>(options.few_known);
-  const float max_factor = is_few ? options.few_factor : options.max_factor;
+  RangeMatchOptions range = options.range;
+  if (known.size() < static_cast<size_t>(options.few_known)) range.max_factor = options.few_factor;
+  const double band = range.band_px / focal_px;
   return MatchInRange(a, b, unit, DepthsAround(a, b, unit, known, band, options), known, focal_px,
-                      {options.band_px, options.max_ratio, max_factor, options.sample_step,
-                       options.max_sample_ratio});
+                      range);
 }
 
 }  // namespace rovio_sfm

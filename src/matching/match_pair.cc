@@ -101,7 +101,7 @@ PairMatches MatchExpected(uint32_t other_index, const FrameFeatures& other,
   const std::vector<FeatureMatch> matches =
       FilterByDistance(std::move(expected), options, &pair.counts);
   PairOptions milder = options;
-  milder.guided.max_factor *= kExpectedFactor;
+  milder.guided.range.max_factor *= kExpectedFactor;
   Verify(other, features, matches, camera.MeanFocal(), milder, rng, &pair);
   return pair;
 }

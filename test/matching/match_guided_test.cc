@@ -71,7 +71,7 @@ TEST(MatchGuided, TellsTwinsApartByTheDepthsRoundThem) {
   }
   for (int i = 0; i < 4; ++i) add(0.9 * i, 0.05, 7);
   GuidedOptions options;
-  options.sample_step = 0;  // it would hold twins
+  options.range.sample_step = 0;  // it would hold twins
   const auto found = MatchGuided(pair.a, pair.b, pair.b_from_a, known, kFocalPx, options);
   ASSERT_EQ(found.size(), 4u);
   for (const FeatureMatch& match : found) EXPECT_EQ(match.a, match.b);
