@@ -2,21 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "random_descriptors.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
 namespace {
-
-Descriptors RandomDescriptors(size_t count, uint64_t seed) {
-  Rng rng(seed);
-  Descriptors descriptors;
-  descriptors.type = DescriptorType::kSift;
-  descriptors.length = 128;
-  for (size_t i = 0; i < count * 128; ++i) {
-    descriptors.data.push_back(static_cast<uint8_t>(rng.UniformInt(200)));
-  }
-  return descriptors;
-}
 
 uint32_t NearestByBruteForce(const Descriptors& words, const uint8_t* descriptor) {
   uint32_t best = 0;
@@ -39,6 +29,20 @@ TEST(Vocabulary, FindsTheNearestWordExactly) {
   const Descriptors words = RandomDescriptors(50, 1), features = RandomDescriptors(300, 2);
   const std::vector<uint32_t> found = Vocabulary(words).Quantize(features);
   ASSERT_EQ(found.size(), 300u);
+  for (size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(found[i], NearestByBruteForce(words, features.Row(i)));
+  }
+}
+
+// Few words are near such descriptors; most are ruled out by a part of the coordinates.
+TEST(Vocabulary, FindsTheNearestWordExactlyWhereDescriptorsGather) {
+  const Descriptors words = RandomDescriptors(200, 10);
+  Descriptors features = words;
+  Rng rng(11);
+  for (uint8_t& byte : features.data) {
+    byte = static_cast<uint8_t>(byte / 2 + rng.UniformInt(128));
+  }
+  const std::vector<uint32_t> found = Vocabulary(words).Quantize(features);
   for (size_t i = 0; i < found.size(); ++i) {
     EXPECT_EQ(found[i], NearestByBruteForce(words, features.Row(i)));
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "rovio_sfm/places/principal_axes.h"
 #include "rovio_sfm/scene/frame.h"
 #include "rovio_sfm/util/byte_products.h"
 
@@ -25,13 +26,16 @@ class Vocabulary {
   // False for descriptors of another type or length; reason (may be null) then names both.
   bool Accepts(const Descriptors& descriptors, std::string* reason) const;
 
-  // The nearest word of each descriptor (the first of equals), found exactly by a matrix product.
-  // The vocabulary must accept the descriptors.
+  // The nearest word of each descriptor (the first of equals), found exactly: a matrix product of
+  // few coordinates says which words cannot be it. The vocabulary must accept the descriptors.
   std::vector<uint32_t> Quantize(const Descriptors& descriptors) const;
 
  private:
+  uint32_t NearestWord(const uint8_t* descriptor, const float* products, float squared_norm) const;
+
   Descriptors words_;
-  FloatRows float_words_;
+  PrincipalAxes axes_;
+  FloatRows short_words_;
 };
 
 // The nearest row of `centers` for each row of `points`, the first of equals, and its squared

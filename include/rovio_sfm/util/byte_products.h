@@ -7,7 +7,7 @@
 
 namespace rovio_sfm {
 
-// Rows of bytes (descriptors) as floats, row by row, with their squared lengths: whole numbers
+// Rows of numbers, with the squared length of each. Of bytes (descriptors) these are whole numbers
 // below 2^24.
 struct FloatRows {
   uint32_t length = 0;
