@@ -16,8 +16,8 @@ constexpr uint32_t kMinShared = 15;     // landmarks that make a neighbour worth
 constexpr size_t kMaxFixedFrames = 30;  // of a local adjustment
 constexpr size_t kMinGlobalFrames = 6;  // smaller maps are covered by local adjustments
 constexpr int kFinalRounds = 5;
-constexpr double kLocalTolerance = 1e-4;  // the next frame's adjustment goes on where this one ends
-constexpr double kFinalTolerance = 1e-8;
+constexpr double kTolerance = 1e-4;  // the next adjustment goes on where this one ends
+constexpr double kLastTolerance = 1e-6;
 // What an adjustment may cost, so that a frame costs the same however long the drive is; 4 to 10
 // iterations. Many views of each landmark leave little to gain by more.
 constexpr double kLocalReprojections = 1e5, kRunningReprojections = 7e5;
@@ -25,7 +25,6 @@ constexpr double kSettledShare = 0.0005;  // of the observations, more or fewer 
 
 BundleOptions LocalBundleOptions(const MapperOptions& options) {
   BundleOptions bundle_options = RunningBundleOptions(options);
-  bundle_options.function_tolerance = kLocalTolerance;
   bundle_options.max_reprojections = kLocalReprojections;
   return bundle_options;
 }
@@ -88,14 +87,15 @@ PruneReport PruneFinally(const MapperOptions& options, Session* session) {
 
 BundleOptions RunningBundleOptions(const MapperOptions& options) {
   BundleOptions bundle_options{options.adjust.running_max_iterations, LossSigmas(options)};
+  bundle_options.function_tolerance = kTolerance;
   bundle_options.max_reprojections = kRunningReprojections;
   return bundle_options;
 }
 
 BundleOptions FinalBundleOptions(const MapperOptions& options, bool is_last) {
   BundleOptions bundle_options{options.adjust.final_max_iterations, LossSigmas(options)};
+  bundle_options.function_tolerance = is_last ? kLastTolerance : kTolerance;
   bundle_options.settle_points = true;
-  if (is_last) bundle_options.function_tolerance = kFinalTolerance;
   return bundle_options;
 }
 

@@ -14,6 +14,7 @@ namespace {
 constexpr double kChance = 7.8;  // chi-squared of three, exceeded once in 20 times
 constexpr double kAlike = 5.0;   // features of a track err alike: so many count as one
 constexpr int kMaxIterations = 10;
+constexpr double kTolerance = 1e-6;  // little of the cost tells of a correction
 
 // Of a coordinate of a residual, in sigmas, as far as the robust loss lets it count, for as many
 // independent ones as there are.
@@ -46,6 +47,7 @@ bool IsBelievable(const BundleIntrinsics& intrinsics) {
 std::optional<double> Gain(const BundleOptions& options, double variance, BundleProblem* problem) {
   BundleOptions solve = options;
   solve.max_iterations = std::min(options.max_iterations, kMaxIterations);
+  solve.function_tolerance = kTolerance;
   ScaleSigmas(1.0 / std::sqrt(variance), problem);
   const BundleReport report = AdjustBundle(problem, solve);
   ScaleSigmas(std::sqrt(variance), problem);

@@ -236,7 +236,7 @@ TEST(MapKeeper, AdjustsALinkedMapAgainOnceItHasGrown) {
   Keyframe newcomer = sessions.b.keyframe(3);
   newcomer.weak = true;
   std::fill(newcomer.tracks.begin(), newcomer.tracks.end(), TrackId{0});
-  for (uint32_t index = 100; index < 104; ++index) sessions.b.AddKeyframe(index, newcomer);
+  for (uint32_t index = 100; index < 108; ++index) sessions.b.AddKeyframe(index, newcomer);
   for (int i = 0; i < 2; ++i) sessions.PassKeyframes();
   EXPECT_LT(PoseDistance(sessions.b.keyframe(3).cam_from_session, adjusted), 0.01);
 }

@@ -57,7 +57,7 @@ struct AdjustOptions {
   int local_frames = 10;
   int running_max_iterations = 10;
   int final_max_iterations = 50;
-  double global_growth = 0.1;
+  double global_growth = 0.15;
   int max_global_frames = 500;
   double loss_px = 1.0;
   double focal_sigma = 0.005;
