@@ -13,14 +13,14 @@ namespace rovio_sfm {
 namespace {
 
 constexpr uint32_t kMinShared = 15;     // landmarks that make a neighbour worth adjusting
-constexpr size_t kMaxFixedFrames = 30;  // of a local adjustment
+constexpr size_t kMaxFixedFrames = 15;  // of a local adjustment
 constexpr size_t kMinGlobalFrames = 6;  // smaller maps are covered by local adjustments
 constexpr int kFinalRounds = 5;
 constexpr double kTolerance = 1e-4;  // the next adjustment goes on where this one ends
 constexpr double kLastTolerance = 1e-6;
 // What an adjustment may cost, so that a frame costs the same however long the drive is; 4 to 10
 // iterations. Many views of each landmark leave little to gain by more.
-constexpr double kLocalReprojections = 1e5, kRunningReprojections = 7e5;
+constexpr double kLocalReprojections = 6e4, kRunningReprojections = 7e5;
 constexpr double kSettledShare = 0.0005;  // of the observations, more or fewer than a round ago
 
 BundleOptions LocalBundleOptions(const MapperOptions& options) {

@@ -11,8 +11,9 @@
 namespace rovio_sfm {
 namespace {
 
-constexpr double kChance = 7.8;  // chi-squared of three, exceeded once in 20 times
-constexpr double kAlike = 5.0;   // features of a track err alike: so many count as one
+constexpr double kChance = 7.8;              // chi-squared of three, exceeded once in 20 times
+constexpr double kAlike = 5.0;               // features of a track err alike: so many count as one
+constexpr size_t kMaxObservations = 80'000;  // tell well enough whether a camera is right
 constexpr int kMaxIterations = 10;
 constexpr double kTolerance = 1e-6;  // little of the cost tells of a correction
 
@@ -55,6 +56,22 @@ std::optional<double> Gain(const BundleOptions& options, double variance, Bundle
   return report.initial_cost - report.final_cost;
 }
 
+// With every so-manieth point only, where there are more observations than needed.
+BundleProblem Thinned(const BundleProblem& problem) {
+  const size_t step = problem.observations.size() / kMaxObservations + 1;
+  if (step == 1) return problem;
+  BundleProblem thinned{problem.cameras, {}, {}, problem.intrinsics};
+  for (size_t i = 0; i < problem.points.size(); i += step) {
+    thinned.points.push_back(problem.points[i]);
+  }
+  for (BundleObservation observation : problem.observations) {
+    if (observation.point % step != 0) continue;
+    observation.point /= static_cast<uint32_t>(step);
+    thinned.observations.push_back(observation);
+  }
+  return thinned;
+}
+
 // The later half of each camera's pictures gets intrinsics of its own.
 BundleProblem Halved(const BundleProblem& problem) {
   BundleProblem halved = problem;
@@ -82,15 +99,21 @@ bool RefineIntrinsics(const BundleOptions& options, BundleProblem* problem) {
   if (problem->intrinsics.empty() || problem->observations.empty()) return false;
   const double variance = Variance(*problem, options.loss_sigmas);
   if (!(variance > 0.0)) return false;
-  BundleProblem refined = *problem;
-  if (!IsEvident(Gain(options, variance, &refined), variance) ||
-      !std::all_of(refined.intrinsics.begin(), refined.intrinsics.end(), IsBelievable)) {
+  BundleProblem trial = Thinned(*problem);
+  if (!IsEvident(Gain(options, variance, &trial), variance) ||
+      !std::all_of(trial.intrinsics.begin(), trial.intrinsics.end(), IsBelievable)) {
     return false;
   }
-  BundleProblem halved = Halved(refined);
+  BundleProblem halved = Halved(trial);
   const auto gain_of_halves = Gain(options, variance, &halved);
   if (!gain_of_halves || IsEvident(gain_of_halves, variance)) return false;
-  *problem = std::move(refined);
+  if (trial.points.size() < problem->points.size()) {
+    BundleProblem whole = *problem;
+    whole.intrinsics = trial.intrinsics;
+    if (!Gain(options, variance, &whole)) return false;
+    trial = std::move(whole);
+  }
+  *problem = std::move(trial);
   return true;
 }
 

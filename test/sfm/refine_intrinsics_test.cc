@@ -15,8 +15,8 @@ const Eigen::Vector3d kSigma{0.005, 0.003, 0.003};
 // normalised by the wrong calibration, at its optimum by that.
 struct Drive {
   Drive(const Eigen::Vector3d& true_correction, double noise_px,
-        SyntheticMotion motion = SyntheticMotion::kCircle)
-      : world(WorldOf(noise_px, motion)), problem(MakeProblem(world)) {
+        SyntheticMotion motion = SyntheticMotion::kCircle, int num_points = 500)
+      : world(WorldOf(noise_px, motion, num_points)), problem(MakeProblem(world)) {
     const Camera given = CorrectedCamera(world.camera, -true_correction);
     for (BundleObservation& observation : problem.observations) {
       const Eigen::Vector2d pixel = PixelFromNormalized(world.camera, observation.x_normalized);
@@ -26,9 +26,9 @@ struct Drive {
     problem.intrinsics.push_back({given, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), kSigma});
   }
 
-  static SyntheticWorld WorldOf(double noise_px, SyntheticMotion motion) {
+  static SyntheticWorld WorldOf(double noise_px, SyntheticMotion motion, int num_points) {
     SyntheticOptions options;
-    options.num_points = 500;
+    options.num_points = num_points;
     options.num_cams = 24;
     options.motion = motion;
     options.step = motion == SyntheticMotion::kCircle ? 1.0 : 0.1;
@@ -60,6 +60,22 @@ TEST(RefineIntrinsics, ComesNearItWithNoise) {
   ASSERT_TRUE(RefineIntrinsics(kExact, &drive.problem));
   EXPECT_LT((drive.correction() - truth).norm(), 0.4 * truth.norm());
   EXPECT_LT(drive.Error(), 0.6 * before);
+}
+
+// A part of the points decides, all are solved for.
+TEST(RefineIntrinsics, SolvesLargeProblemsWhole) {
+  const Eigen::Vector3d truth(0.004, -0.003, 0.002);
+  Drive drive(truth, 0.2, SyntheticMotion::kCircle, 6500);
+  ASSERT_GT(drive.problem.observations.size(), 80'000u);
+  const double before = drive.Error();
+  const std::vector<Eigen::Vector3d> points = drive.problem.points;
+  ASSERT_TRUE(RefineIntrinsics(kExact, &drive.problem));
+  EXPECT_LT((drive.correction() - truth).norm(), 0.2 * truth.norm());
+  EXPECT_LT(drive.Error(), 0.3 * before);
+  ASSERT_EQ(drive.problem.points.size(), points.size());
+  size_t num_moved = 0;
+  for (size_t i = 0; i < points.size(); ++i) num_moved += drive.problem.points[i] != points[i];
+  EXPECT_GT(num_moved, points.size() / 4 * 3);  // the others nobody sees
 }
 
 void ExpectLeftAlone(Drive drive) {
