@@ -9,6 +9,7 @@ from acceptance.stage_1 import TOURS
 
 STRIDES = {"tum_fr1_xyz": 4, "hololens_dvmvs_000": 2}
 MAX_WORSE, MAX_ERROR_RATIO = 1, 1.3  # sets on which COLMAP may be more accurate, and by how much
+AS_MANY = "ours, as many features"  # as COLMAP has, where that is more than it was told
 MIN_COUNTS = 1.1  # times COLMAP's landmarks, and projections of a picture
 
 
@@ -23,7 +24,7 @@ def fountain(_quick):
     entry = compared([dataset("strecha_fountain_p11")])[0]
     holds, parts = True, []
     for title, theirs in entry["colmap"].items():
-        ours = entry["ours"][theirs["compare_with"]]
+        ours = entry["ours"][theirs["compare_with"][0]]
         holds = (holds and ours["registered"] >= theirs["registered"] and ours["error_m"] <= theirs["error_m"]
                  and ours["landmarks"] >= theirs["landmarks"] and ours["projections"] >= theirs["projections"])
         parts.append(f"{title}: {100 * ours['error_m']:.2f} against {100 * theirs['error_m']:.2f} cm, landmarks "
@@ -35,32 +36,41 @@ def fountain(_quick):
 
 @functools.cache
 def beside_hurried():
-    """Name, ours and COLMAP hurried of every set with a truth: the tours by the robot's camera and two real ones."""
+    """Entries of every set with a truth: the tours by the robot's camera and two real ones."""
     entries = compared([render(Render(name)) for name in TOURS], "--hurried-only")
     for name, stride in STRIDES.items():
         entries += compared([dataset(name)], "--hurried-only", "--stride", stride)
-    return [(entry["name"], entry["ours"]["ours"], entry["colmap"]["COLMAP hurried"]) for entry in entries]
+    return entries
+
+
+def pairs(of_ours="ours"):
+    """Name, ours and COLMAP hurried of each."""
+    return [(entry["name"], entry["ours"].get(of_ours, entry["ours"]["ours"]), entry["colmap"]["COLMAP hurried"])
+            for entry in beside_hurried()]
 
 
 def errors(_quick):
-    ratios = {name: ours["error_m"] / theirs["error_m"] for name, ours, theirs in beside_hurried()}
-    fewer = [name for name, ours, theirs in beside_hurried() if ours["registered"] < theirs["registered"]]
+    ratios = {name: ours["error_m"] / theirs["error_m"] for name, ours, theirs in pairs()}
+    fewer = [name for name, ours, theirs in pairs() if ours["registered"] < theirs["registered"]]
     worse = [name for name, ratio in ratios.items() if ratio > 1]
     holds = not fewer and len(worse) <= MAX_WORSE and max(ratios.values()) <= MAX_ERROR_RATIO
     told = ", ".join(f"{name} {ratio:.2f}" for name, ratio in ratios.items())
     return holds, f"error, times COLMAP's: {told}; fewer pictures: {', '.join(fewer) or 'none'}"
 
 
+def count_ratios(of_ours):
+    """Of landmarks and projections, by set; but where COLMAP has a part of the pictures: its counts of that say nothing."""
+    return {name: [ours[key] / theirs[key] for key in ("landmarks", "projections")]
+            for name, ours, theirs in pairs(of_ours) if theirs["registered"] >= ours["registered"]}
+
+
 def counts(_quick):
-    """But where COLMAP has a part of the pictures: its counts of that say nothing."""
-    holds, parts = True, []
-    for name, ours, theirs in beside_hurried():
-        if theirs["registered"] < ours["registered"]:
-            continue
-        ratios = [ours[key] / theirs[key] for key in ("landmarks", "projections")]
-        holds = holds and min(ratios) >= MIN_COUNTS
-        parts.append(f"{name} {ratios[0]:.2f} and {ratios[1]:.2f}")
-    return holds and bool(parts), f"landmarks and projections, times COLMAP's: {', '.join(parts)}"
+    """Told 1000 features COLMAP takes 1213 to 1459 of the tours' pictures: ours may have as many."""
+    of_as_many, of_1000 = count_ratios(AS_MANY), count_ratios("ours")
+    parts = [f"{name} {a:.2f} and {b:.2f} (of 1000 {of_1000[name][0]:.2f} and {of_1000[name][1]:.2f})"
+             for name, (a, b) in of_as_many.items()]
+    holds = bool(parts) and all(min(ratios) >= MIN_COUNTS for ratios in of_as_many.values())
+    return holds, f"landmarks and projections, times COLMAP's: {', '.join(parts)}"
 
 
 LINES = [
@@ -68,6 +78,7 @@ LINES = [
          False),
     Line("compare_errors", f"tours, fr1 every 4th, hololens every 2nd beside COLMAP hurried: as many pictures; error larger on "
          f"at most {MAX_WORSE}, by <= {MAX_ERROR_RATIO} x", errors, False),
-    Line("compare_counts", f"tours and fr1 every 4th beside COLMAP hurried: >= {MIN_COUNTS} x the landmarks and projections",
+    Line("compare_counts", f"tours and fr1 every 4th beside COLMAP hurried: >= {MIN_COUNTS} x the landmarks and projections, "
+         "of as many features",
          counts, False),
 ]

@@ -14,8 +14,8 @@ def rotation(w, x, y, z):
 
 class TextModel:
     """poses: name -> w x y z, t of camera from map; views: point's id -> how many see it; points_of: name -> ids of
-    what it sees. Residuals by projection: in the image (px), and behind undistortion on the plane z = 1; point_of: whose
-    they are."""
+    what it sees; num_features: of all images, seen points or not. Residuals by projection: in the image (px), and behind
+    undistortion on the plane z = 1; point_of: whose they are."""
 
     def __init__(self, folder):
         cameras, images, points = (self.rows(folder / f"{name}.txt") for name in ("cameras", "images", "points3D"))
@@ -27,6 +27,7 @@ class TextModel:
         self.points = {int(w[0]): numpy.array(w[1:4], float) for w in words}
         self.views = {int(w[0]): (len(w) - 8) // 2 for w in words}
         self.poses, self.points_of, parts = {}, {}, []
+        self.num_features = sum(len(features.split()) // 3 for features in images[1::2])
         for pose, features in zip(images[::2], images[1::2]):
             numbers = [float(word) for word in pose.split()[1:8]]
             name = pose.split()[9]

@@ -24,7 +24,7 @@ def map_with_colmap(images, work, options, truth, evaluate_program):
                 "--output_type", "TXT", env=OFFSCREEN)
     read = sorted((TextModel(model) for model in models), key=lambda model: -len(model.poses))
     if not read:
-        return Result(0, 0, 0, None, None, None, 0, cost)
+        return Result(0.0, 0, 0, 0, None, None, None, 0, cost)
     return summarize(read[0], len(read), images, work, truth, evaluate_program, cost)
 
 
@@ -63,5 +63,6 @@ def summarize(model, num_models, images, work, truth, evaluate_program, cost):
         for name, pose in sorted(model.poses.items(), key=lambda item: float(images.stamps[item[0]]))))
     many = numpy.array([model.views[point] > 3 for point in model.point_of], bool)
     rms, rms_many = root_mean_square(model.in_plane), root_mean_square(model.in_plane[many])
-    return Result(len(model.poses), len(model.points), len(model.point_of), rms and rms * model.focal_px,
+    return Result(model.num_features / len(model.poses), len(model.poses), len(model.points), len(model.point_of),
+                  rms and rms * model.focal_px,
                   rms_many and rms_many * 1000, error_of(evaluate_program, truth, trajectory), num_models, cost)

@@ -24,6 +24,7 @@ def add(a, b):
 
 class Result(NamedTuple):
     """Of the map that holds most. Landmarks and projections: of two views and more."""
+    features: float  # of a picture, in the mean
     registered: int
     landmarks: int
     projections: int
