@@ -3,6 +3,8 @@
 #include <cmath>
 #include <opencv2/core/hal/hal.hpp>
 
+#include "rovio_sfm/util/byte_products.h"
+
 namespace rovio_sfm {
 
 bool AreComparable(const Descriptors& a, const Descriptors& b) {
@@ -15,12 +17,7 @@ float DescriptorDistance(const Descriptors& a, size_t index_a, const Descriptors
   if (a.metric == DescriptorMetric::kHamming) {
     return static_cast<float>(cv::hal::normHamming(row_a, row_b, static_cast<int>(a.length)));
   }
-  int sum = 0;
-  for (uint32_t i = 0; i < a.length; ++i) {
-    const int difference = int{row_a[i]} - int{row_b[i]};
-    sum += difference * difference;
-  }
-  return std::sqrt(static_cast<float>(sum));
+  return std::sqrt(static_cast<float>(SquaredDistance(row_a, row_b, a.length)));
 }
 
 }  // namespace rovio_sfm

@@ -1,5 +1,6 @@
 #include "rovio_sfm/matching/match_descriptors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <opencv2/core.hpp>
@@ -7,9 +8,12 @@
 #include "rovio_sfm/matching/descriptor_distance.h"
 #include "rovio_sfm/matching/match_approximate.h"
 #include "rovio_sfm/util/byte_products.h"
+#include "rovio_sfm/util/nearest_rows.h"
 
 namespace rovio_sfm {
 namespace {
+
+constexpr size_t kMany = 2000;  // features; of fewer a full product costs less than the axes
 
 struct BestTwo {
   size_t best = 0;
@@ -51,6 +55,21 @@ std::vector<FeatureMatch> MatchExactL2(const Descriptors& a, const Descriptors& 
   return matches;
 }
 
+// The same, faster where there are many.
+std::vector<FeatureMatch> MatchManyL2(const Descriptors& a, const Descriptors& b) {
+  std::vector<FeatureMatch> matches;
+  matches.reserve(b.Count());
+  NearestRows(a.data, a.length).ForEachTwo(b.data, [&](size_t i, const NearestRows::Two& two) {
+    FeatureMatch match{two.best, static_cast<uint32_t>(i), 0.0f, 1.0f};
+    match.distance = std::sqrt(static_cast<float>(two.least));
+    if (a.Count() > 1 && two.second > 0) {
+      match.ratio = match.distance / std::sqrt(static_cast<float>(two.second));
+    }
+    matches.push_back(match);
+  });
+  return matches;
+}
+
 cv::Mat ByteRows(const Descriptors& descriptors) {
   return cv::Mat(static_cast<int>(descriptors.Count()), static_cast<int>(descriptors.length), CV_8U,
                  const_cast<uint8_t*>(descriptors.data.data()));
@@ -80,8 +99,8 @@ std::vector<FeatureMatch> MatchDescriptors(const Descriptors& a, const Descripto
   if (a.Count() == 0 || b.Count() == 0) return {};
   if (!AreComparable(a, b)) return {};
   if (a.metric == DescriptorMetric::kHamming) return MatchExactHamming(a, b);
-  if (options.matcher == Matcher::kExact) return MatchExactL2(a, b);
-  return MatchApproximately(a, b, options);
+  if (options.matcher != Matcher::kExact) return MatchApproximately(a, b, options);
+  return std::min(a.Count(), b.Count()) >= kMany ? MatchManyL2(a, b) : MatchExactL2(a, b);
 }
 
 }  // namespace rovio_sfm

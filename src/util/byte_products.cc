@@ -35,6 +35,15 @@ FloatRows ToFloatRows(const std::vector<uint8_t>& data, uint32_t length) {
   return rows;
 }
 
+int SquaredDistance(const uint8_t* a, const uint8_t* b, uint32_t length) {
+  int sum = 0;
+  for (uint32_t i = 0; i < length; ++i) {
+    const int difference = int{a[i]} - int{b[i]};
+    sum += difference * difference;
+  }
+  return sum;
+}
+
 void ForEachProductRow(const FloatRows& a, const FloatRows& b,
                        const std::function<void(size_t, const float*)>& visit) {
   ROVIO_CHECK(a.length == b.length);

@@ -101,6 +101,25 @@ TEST_P(MatchDescriptorsByTree, FindsNearCopiesAndIsDeterministic) {
 INSTANTIATE_TEST_SUITE_P(AllTrees, MatchDescriptorsByTree,
                          testing::Values(Matcher::kExact, Matcher::kKdTree, Matcher::kKMeansTree));
 
+// They take another way.
+TEST(MatchDescriptors, ManyGetTheMatchesThatFewGet) {
+  const Descriptors a = RandomDescriptors(2100, DescriptorMetric::kL2, 6);
+  Descriptors b = RandomDescriptors(1000, DescriptorMetric::kL2, 7);
+  const Descriptors copy = ReversedCopy(a);
+  b.data.insert(b.data.end(), copy.data.begin(), copy.data.end());
+  Descriptors few = b;
+  few.data.resize(1100 * size_t{b.length});
+  const std::vector<FeatureMatch> of_many = MatchDescriptors(a, b, {});
+  const std::vector<FeatureMatch> of_few = MatchDescriptors(a, few, {});
+  ASSERT_EQ(of_many.size(), b.Count());
+  for (size_t i = 0; i < of_few.size(); ++i) {
+    EXPECT_EQ(of_many[i].a, of_few[i].a);
+    EXPECT_EQ(of_many[i].b, of_few[i].b);
+    EXPECT_EQ(of_many[i].distance, of_few[i].distance);
+    EXPECT_EQ(of_many[i].ratio, of_few[i].ratio);
+  }
+}
+
 TEST(MatchDescriptors, RatioIsOneWithoutASecond) {
   const Descriptors a = RandomDescriptors(1, DescriptorMetric::kL2, 1);
   for (const Matcher matcher : {Matcher::kExact, Matcher::kKdTree}) {

@@ -2,11 +2,21 @@
 
 #include <gtest/gtest.h>
 
-#include "random_descriptors.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
 namespace {
+
+Descriptors RandomDescriptors(size_t count, uint64_t seed) {
+  Rng rng(seed);
+  Descriptors descriptors;
+  descriptors.type = DescriptorType::kSift;
+  descriptors.length = 128;
+  for (size_t i = 0; i < count * 128; ++i) {
+    descriptors.data.push_back(static_cast<uint8_t>(rng.UniformInt(200)));
+  }
+  return descriptors;
+}
 
 uint32_t NearestByBruteForce(const Descriptors& words, const uint8_t* descriptor) {
   uint32_t best = 0;

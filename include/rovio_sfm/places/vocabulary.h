@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "rovio_sfm/places/principal_axes.h"
 #include "rovio_sfm/scene/frame.h"
 #include "rovio_sfm/util/byte_products.h"
+#include "rovio_sfm/util/nearest_rows.h"
 
 namespace rovio_sfm {
 
@@ -26,16 +26,13 @@ class Vocabulary {
   // False for descriptors of another type or length; reason (may be null) then names both.
   bool Accepts(const Descriptors& descriptors, std::string* reason) const;
 
-  // The nearest word of each descriptor (the first of equals), found exactly: a matrix product of
-  // few coordinates says which words cannot be it. The vocabulary must accept the descriptors.
+  // The nearest word of each descriptor, the first of equals. The vocabulary must accept the
+  // descriptors.
   std::vector<uint32_t> Quantize(const Descriptors& descriptors) const;
 
  private:
-  uint32_t NearestWord(const uint8_t* descriptor, const float* products, float squared_norm) const;
-
   Descriptors words_;
-  PrincipalAxes axes_;
-  FloatRows short_words_;
+  NearestRows nearest_;
 };
 
 // The nearest row of `centers` for each row of `points`, the first of equals, and its squared

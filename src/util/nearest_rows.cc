@@ -1,0 +1,94 @@
+#include "rovio_sfm/util/nearest_rows.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "rovio_sfm/util/check.h"
+
+namespace rovio_sfm {
+namespace {
+
+constexpr Eigen::Index kNumAxes = 39;   // more cost more than they rule out
+constexpr Eigen::Index kSample = 5000;  // rows that tell the axes
+constexpr float kRounding = 1e-5f;      // of squared lengths, generously
+constexpr uint32_t kMaxLength = 512;    // bytes of a row
+
+template <typename Scalar>
+using RowMajor = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+RowMajor<float> ToMatrix(const std::vector<uint8_t>& bytes, uint32_t length) {
+  const auto count = static_cast<Eigen::Index>(bytes.size() / length);
+  return Eigen::Map<const RowMajor<uint8_t>>(bytes.data(), count, length).cast<float>();
+}
+
+// Along which rows about their mean spread most: columns.
+Eigen::MatrixXf PrincipalAxes(const RowMajor<float>& rows) {
+  const Eigen::Index step = 1 + (rows.rows() - 1) / kSample;
+  RowMajor<float> sample(1 + (rows.rows() - 1) / step, rows.cols());
+  for (Eigen::Index i = 0; i < sample.rows(); ++i) sample.row(i) = rows.row(i * step);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXf> solver(sample.transpose() * sample);
+  return solver.eigenvectors().rightCols(std::min(kNumAxes, rows.cols()));  // by ascending spread
+}
+
+}  // namespace
+
+NearestRows::NearestRows(std::vector<uint8_t> rows, uint32_t length)
+    : rows_(std::move(rows)), length_(length) {
+  ROVIO_CHECK(length_ > 0 && length_ <= kMaxLength && rows_.size() >= length_);
+  RowMajor<float> about_mean = ToMatrix(rows_, length_);
+  mean_ = about_mean.colwise().mean();
+  about_mean.rowwise() -= mean_;
+  axes_ = PrincipalAxes(about_mean);
+  short_rows_ = Shorten(rows_);
+  const std::vector<float>& norms = short_rows_.squared_norms;
+  largest_norm_ = *std::max_element(norms.begin(), norms.end());
+}
+
+// Coordinates of each row about the mean, and then how far it lies off the axes; beside them the
+// squared distance from the mean. The product of two such rows is at least that of the whole rows
+// about the mean (Cauchy-Schwarz for what lies off the axes).
+FloatRows NearestRows::Shorten(const std::vector<uint8_t>& bytes) const {
+  RowMajor<float> rows = ToMatrix(bytes, length_);
+  rows.rowwise() -= mean_;
+  const Eigen::VectorXf squared_norms = rows.rowwise().squaredNorm();
+  RowMajor<float> shortened(rows.rows(), axes_.cols() + 1);
+  shortened.leftCols(axes_.cols()) = rows * axes_;
+  const Eigen::VectorXf along = shortened.leftCols(axes_.cols()).rowwise().squaredNorm();
+  shortened.rightCols<1>() = (squared_norms - along).cwiseMax(0.0f).cwiseSqrt();
+  FloatRows result;
+  result.length = static_cast<uint32_t>(shortened.cols());
+  result.values.assign(shortened.data(), shortened.data() + shortened.size());
+  result.squared_norms.assign(squared_norms.begin(), squared_norms.end());
+  return result;
+}
+
+// products: of the shortened rows with the shortened point; squared_norm: of that about the mean.
+NearestRows::Two NearestRows::NearestTo(const uint8_t* point, const float* products,
+                                        float squared_norm) const {
+  const std::vector<float>& norms = short_rows_.squared_norms;
+  Two two{0, SquaredDistance(point, rows_.data(), length_), INT32_MAX};
+  const float rounding = kRounding * (squared_norm + largest_norm_);
+  float limit = -HUGE_VALF;
+  for (uint32_t i = 1; i < norms.size(); ++i) {
+    if (2.0f * products[i] - norms[i] < limit) continue;
+    const int distance = SquaredDistance(point, &rows_[size_t{i} * length_], length_);
+    if (distance >= two.second) continue;
+    two.second = std::max(distance, two.least);
+    if (distance < two.least) two.best = i;
+    two.least = std::min(distance, two.least);
+    limit = squared_norm - static_cast<float>(two.second) - rounding;
+  }
+  return two;
+}
+
+void NearestRows::ForEachTwo(const std::vector<uint8_t>& points,
+                             const std::function<void(size_t, const Two&)>& visit) const {
+  const FloatRows shortened = Shorten(points);
+  ForEachProductRow(short_rows_, shortened, [&](size_t i, const float* products) {
+    visit(i, NearestTo(&points[i * length_], products, shortened.squared_norms[i]));
+  });
+}
+
+}  // namespace rovio_sfm
