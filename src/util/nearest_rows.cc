@@ -13,6 +13,7 @@ namespace {
 constexpr Eigen::Index kNumAxes = 39;   // more cost more than they rule out
 constexpr Eigen::Index kSample = 5000;  // rows that tell the axes
 constexpr float kRounding = 1e-5f;      // of squared lengths, generously
+constexpr Eigen::Index kBlock = 16;     // rows ruled out at once
 constexpr uint32_t kMaxLength = 512;    // bytes of a row
 
 template <typename Scalar>
@@ -64,30 +65,55 @@ FloatRows NearestRows::Shorten(const std::vector<uint8_t>& bytes) const {
   return result;
 }
 
-// products: of the shortened rows with the shortened point; squared_norm: of that about the mean.
-NearestRows::Two NearestRows::NearestTo(const uint8_t* point, const float* products,
-                                        float squared_norm) const {
-  const std::vector<float>& norms = short_rows_.squared_norms;
-  Two two{0, SquaredDistance(point, rows_.data(), length_), INT32_MAX};
-  const float rounding = kRounding * (squared_norm + largest_norm_);
-  float limit = -HUGE_VALF;
-  for (uint32_t i = 1; i < norms.size(); ++i) {
-    if (2.0f * products[i] - norms[i] < limit) continue;
-    const int distance = SquaredDistance(point, &rows_[size_t{i} * length_], length_);
-    if (distance >= two.second) continue;
-    two.second = std::max(distance, two.least);
-    if (distance < two.least) two.best = i;
-    two.least = std::min(distance, two.least);
-    limit = squared_norm - static_cast<float>(two.second) - rounding;
+// Goes through the rows in blocks: in most of them the greatest bound rules all out.
+class NearestRows::Search {
+ public:
+  Search(const NearestRows& all, const uint8_t* point, float squared_norm)
+      : all_(all),
+        point_(point),
+        squared_norm_(squared_norm),
+        rounding_(kRounding * (squared_norm + all.largest_norm_)) {}
+
+  // products: of the shortened rows with the shortened point.
+  Two Find(const float* products) {
+    const auto count = static_cast<Eigen::Index>(all_.Count());
+    const float* norms = all_.short_rows_.squared_norms.data();
+    for (Eigen::Index first = 0; first < count; first += kBlock) {
+      const Eigen::Index size = std::min(kBlock, count - first);
+      Eigen::Map<const Eigen::ArrayXf> product(products + first, size), norm(norms + first, size);
+      nearness_.head(size) = 2.0f * product - norm;
+      if (nearness_.head(size).maxCoeff() < limit_) continue;
+      for (Eigen::Index i = 0; i < size; ++i) {
+        if (nearness_[i] >= limit_) Compare(static_cast<uint32_t>(first + i));
+      }
+    }
+    return two_;
   }
-  return two;
-}
+
+ private:
+  void Compare(uint32_t row) {
+    const int distance =
+        SquaredDistance(point_, &all_.rows_[size_t{row} * all_.length_], all_.length_);
+    if (distance >= two_.second) return;
+    two_.second = std::max(distance, two_.least);
+    if (distance < two_.least) two_.best = row;
+    two_.least = std::min(distance, two_.least);
+    limit_ = squared_norm_ - static_cast<float>(two_.second) - rounding_;
+  }
+
+  const NearestRows& all_;
+  const uint8_t* point_;
+  float squared_norm_, rounding_;
+  float limit_ = -HUGE_VALF;
+  Eigen::Array<float, kBlock, 1> nearness_;
+  Two two_{0, INT32_MAX, INT32_MAX};
+};
 
 void NearestRows::ForEachTwo(const std::vector<uint8_t>& points,
                              const std::function<void(size_t, const Two&)>& visit) const {
   const FloatRows shortened = Shorten(points);
   ForEachProductRow(short_rows_, shortened, [&](size_t i, const float* products) {
-    visit(i, NearestTo(&points[i * length_], products, shortened.squared_norms[i]));
+    visit(i, Search(*this, &points[i * length_], shortened.squared_norms[i]).Find(products));
   });
 }
 

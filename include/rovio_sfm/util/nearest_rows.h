@@ -18,7 +18,7 @@ class NearestRows {
  public:
   struct Two {
     uint32_t best = 0;                  // the first of equals
-    int least = 0, second = INT32_MAX;  // squared distances; of one row alone no second
+    int least = 0, second = INT32_MAX;  // squared distances; of one row alone INT32_MAX
   };
 
   NearestRows() = default;
@@ -32,8 +32,9 @@ class NearestRows {
                   const std::function<void(size_t, const Two&)>& visit) const;
 
  private:
+  class Search;
+
   FloatRows Shorten(const std::vector<uint8_t>& bytes) const;
-  Two NearestTo(const uint8_t* point, const float* products, float squared_norm) const;
 
   std::vector<uint8_t> rows_;
   uint32_t length_ = 0;
