@@ -6,10 +6,10 @@ import json
 from acceptance.common import ROOT, WORK, Line, dataset, run
 from acceptance.renders import Render, render
 from acceptance.stage_1 import TOURS
+from comparison.table import AS_MANY
 
 STRIDES = {"tum_fr1_xyz": 4, "hololens_dvmvs_000": 2}
 MAX_WORSE, MAX_ERROR_RATIO = 1, 1.3  # sets on which COLMAP may be more accurate, and by how much
-AS_MANY = "ours, as many features"  # as COLMAP has, where that is more than it was told
 MIN_COUNTS = 1.1  # times COLMAP's landmarks, and projections of a picture
 
 

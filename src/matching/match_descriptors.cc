@@ -38,6 +38,13 @@ BestTwo FindBestTwo(const float* products, const std::vector<float>& squared_nor
   return two;
 }
 
+// From squared distances; an infinite second: there is none.
+FeatureMatch MakeMatch(size_t a, size_t b, float least, float second) {
+  FeatureMatch match{static_cast<uint32_t>(a), static_cast<uint32_t>(b), std::sqrt(least), 1.0f};
+  if (std::isfinite(second) && second > 0.0f) match.ratio = match.distance / std::sqrt(second);
+  return match;
+}
+
 std::vector<FeatureMatch> MatchExactL2(const Descriptors& a, const Descriptors& b) {
   const FloatRows float_a = ToFloatRows(a.data, a.length);
   const FloatRows float_b = ToFloatRows(b.data, b.length);
@@ -46,11 +53,7 @@ std::vector<FeatureMatch> MatchExactL2(const Descriptors& a, const Descriptors& 
   ForEachProductRow(float_a, float_b, [&](size_t index_b, const float* products) {
     const BestTwo two = FindBestTwo(products, float_a.squared_norms);
     const float norm = float_b.squared_norms[index_b];
-    const float second = norm - two.second_value;
-    FeatureMatch match{static_cast<uint32_t>(two.best), static_cast<uint32_t>(index_b), 0.0f, 1.0f};
-    match.distance = std::sqrt(norm - two.best_value);
-    if (std::isfinite(second) && second > 0.0f) match.ratio = match.distance / std::sqrt(second);
-    matches.push_back(match);
+    matches.push_back(MakeMatch(two.best, index_b, norm - two.best_value, norm - two.second_value));
   });
   return matches;
 }
@@ -59,14 +62,11 @@ std::vector<FeatureMatch> MatchExactL2(const Descriptors& a, const Descriptors& 
 std::vector<FeatureMatch> MatchManyL2(const Descriptors& a, const Descriptors& b) {
   std::vector<FeatureMatch> matches;
   matches.reserve(b.Count());
-  NearestRows(a.data, a.length).ForEachTwo(b.data, [&](size_t i, const NearestRows::Two& two) {
-    FeatureMatch match{two.best, static_cast<uint32_t>(i), 0.0f, 1.0f};
-    match.distance = std::sqrt(static_cast<float>(two.least));
-    if (a.Count() > 1 && two.second > 0) {
-      match.ratio = match.distance / std::sqrt(static_cast<float>(two.second));
-    }
-    matches.push_back(match);
-  });
+  NearestRows(a.data, a.length)
+      .ForEachTwo(b.data, [&](size_t index_b, const NearestRows::Two& two) {
+        matches.push_back(MakeMatch(two.best, index_b, static_cast<float>(two.least),
+                                    static_cast<float>(two.second)));
+      });
   return matches;
 }
 

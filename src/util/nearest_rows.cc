@@ -33,6 +33,22 @@ Eigen::MatrixXf PrincipalAxes(const RowMajor<float>& rows) {
   return solver.eigenvectors().rightCols(std::min(kNumAxes, rows.cols()));  // by ascending spread
 }
 
+// Coordinates of each row along the axes, and then how far it lies off them; beside them its
+// squared length. The product of two such rows is at least that of the whole rows (Cauchy-Schwarz
+// for what lies off the axes).
+FloatRows Shorten(const RowMajor<float>& about_mean, const Eigen::MatrixXf& axes) {
+  const Eigen::VectorXf squared_norms = about_mean.rowwise().squaredNorm();
+  RowMajor<float> shortened(about_mean.rows(), axes.cols() + 1);
+  shortened.leftCols(axes.cols()) = about_mean * axes;
+  const Eigen::VectorXf along = shortened.leftCols(axes.cols()).rowwise().squaredNorm();
+  shortened.rightCols<1>() = (squared_norms - along).cwiseMax(0.0f).cwiseSqrt();
+  FloatRows result;
+  result.length = static_cast<uint32_t>(shortened.cols());
+  result.values.assign(shortened.data(), shortened.data() + shortened.size());
+  result.squared_norms.assign(squared_norms.begin(), squared_norms.end());
+  return result;
+}
+
 }  // namespace
 
 NearestRows::NearestRows(std::vector<uint8_t> rows, uint32_t length)
@@ -42,27 +58,9 @@ NearestRows::NearestRows(std::vector<uint8_t> rows, uint32_t length)
   mean_ = about_mean.colwise().mean();
   about_mean.rowwise() -= mean_;
   axes_ = PrincipalAxes(about_mean);
-  short_rows_ = Shorten(rows_);
+  short_rows_ = Shorten(about_mean, axes_);
   const std::vector<float>& norms = short_rows_.squared_norms;
   largest_norm_ = *std::max_element(norms.begin(), norms.end());
-}
-
-// Coordinates of each row about the mean, and then how far it lies off the axes; beside them the
-// squared distance from the mean. The product of two such rows is at least that of the whole rows
-// about the mean (Cauchy-Schwarz for what lies off the axes).
-FloatRows NearestRows::Shorten(const std::vector<uint8_t>& bytes) const {
-  RowMajor<float> rows = ToMatrix(bytes, length_);
-  rows.rowwise() -= mean_;
-  const Eigen::VectorXf squared_norms = rows.rowwise().squaredNorm();
-  RowMajor<float> shortened(rows.rows(), axes_.cols() + 1);
-  shortened.leftCols(axes_.cols()) = rows * axes_;
-  const Eigen::VectorXf along = shortened.leftCols(axes_.cols()).rowwise().squaredNorm();
-  shortened.rightCols<1>() = (squared_norms - along).cwiseMax(0.0f).cwiseSqrt();
-  FloatRows result;
-  result.length = static_cast<uint32_t>(shortened.cols());
-  result.values.assign(shortened.data(), shortened.data() + shortened.size());
-  result.squared_norms.assign(squared_norms.begin(), squared_norms.end());
-  return result;
 }
 
 // Goes through the rows in blocks: in most of them the greatest bound rules all out.
@@ -76,7 +74,7 @@ class NearestRows::Search {
 
   // products: of the shortened rows with the shortened point.
   Two Find(const float* products) {
-    const auto count = static_cast<Eigen::Index>(all_.Count());
+    const auto count = static_cast<Eigen::Index>(all_.short_rows_.Count());
     const float* norms = all_.short_rows_.squared_norms.data();
     for (Eigen::Index first = 0; first < count; first += kBlock) {
       const Eigen::Index size = std::min(kBlock, count - first);
@@ -111,7 +109,9 @@ class NearestRows::Search {
 
 void NearestRows::ForEachTwo(const std::vector<uint8_t>& points,
                              const std::function<void(size_t, const Two&)>& visit) const {
-  const FloatRows shortened = Shorten(points);
+  RowMajor<float> about_mean = ToMatrix(points, length_);
+  about_mean.rowwise() -= mean_;
+  const FloatRows shortened = Shorten(about_mean, axes_);
   ForEachProductRow(short_rows_, shortened, [&](size_t i, const float* products) {
     visit(i, Search(*this, &points[i * length_], shortened.squared_norms[i]).Find(products));
   });

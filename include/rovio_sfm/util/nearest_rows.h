@@ -25,16 +25,12 @@ class NearestRows {
   // At least one row of `length` bytes, 1 to 512.
   NearestRows(std::vector<uint8_t> rows, uint32_t length);
 
-  size_t Count() const { return short_rows_.Count(); }
-
   // Calls visit(index, the two nearest rows) for each row of `points`, in order.
   void ForEachTwo(const std::vector<uint8_t>& points,
                   const std::function<void(size_t, const Two&)>& visit) const;
 
  private:
   class Search;
-
-  FloatRows Shorten(const std::vector<uint8_t>& bytes) const;
 
   std::vector<uint8_t> rows_;
   uint32_t length_ = 0;
