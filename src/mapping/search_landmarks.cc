@@ -1,8 +1,10 @@
 #include "rovio_sfm/mapping/search_landmarks.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "rovio_sfm/mapping/link_tracks.h"
 #include "rovio_sfm/scene/feature_window.h"
@@ -30,19 +32,25 @@ std::set<TrackId> Candidates(const Session& session, uint32_t frame, size_t max_
   return candidates;
 }
 
-// The view of the landmark nearest in time to the frame.
+// The landmark's first view not before the frame.
+std::vector<Observation>::const_iterator ViewFrom(const Landmark& landmark, uint32_t frame) {
+  return std::lower_bound(landmark.observations.begin(), landmark.observations.end(),
+                          Observation{frame, 0});
+}
+
+// The view of the landmark nearest in time to the frame; of two as near the older.
 Observation NearestView(const Landmark& landmark, uint32_t frame) {
-  const auto distance = [&](const Observation& o) {
-    return o.frame > frame ? o.frame - frame : frame - o.frame;
-  };
-  return *std::min_element(
-      landmark.observations.begin(), landmark.observations.end(),
-      [&](const Observation& a, const Observation& b) { return distance(a) < distance(b); });
+  const auto next = ViewFrom(landmark, frame);
+  if (next == landmark.observations.begin()) return *next;
+  const Observation& last = *std::prev(next);
+  const bool is_last =
+      next == landmark.observations.end() || frame - last.frame <= next->frame - frame;
+  return is_last ? last : *next;
 }
 
 bool IsSeenIn(const Landmark& landmark, uint32_t frame) {
-  return std::any_of(landmark.observations.begin(), landmark.observations.end(),
-                     [&](const Observation& o) { return o.frame == frame; });
+  const auto view = ViewFrom(landmark, frame);
+  return view != landmark.observations.end() && view->frame == frame;
 }
 
 // The feature that shows the landmark, if the window has one.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 #include "rovio_sfm/geometry/triangulate.h"
@@ -12,18 +13,30 @@
 namespace rovio_sfm {
 namespace {
 
-double ErrorSigmas(const Session& session, const Observation& observation,
-                   const Eigen::Vector3d& position) {
-  const Keyframe& frame = session.keyframe(observation.frame);
-  const auto error =
-      ReprojectionError(frame.cam_from_session, frame.points[observation.feature], position);
-  return error ? *error / frame.sigmas[observation.feature] : HUGE_VAL;
+// A session's keyframes, each found at once: a landmark has up to hundreds of views. Only while no
+// keyframe comes, goes or moves.
+class FrameTable {
+ public:
+  explicit FrameTable(const Session& session) {
+    frames_.reserve(session.keyframes().size());
+    for (const auto& [index, frame] : session.keyframes()) frames_.emplace(index, &frame);
+  }
+
+  const Keyframe& operator[](uint32_t index) const { return *frames_.at(index); }
+
+ private:
+  std::unordered_map<uint32_t, const Keyframe*> frames_;  // look-up only
+};
+
+double ErrorSigmas(const Keyframe& frame, uint32_t feature, const Eigen::Vector3d& position) {
+  const auto error = ReprojectionError(frame.cam_from_session, frame.points[feature], position);
+  return error ? *error / frame.sigmas[feature] : HUGE_VAL;
 }
 
-bool HasParallax(const Session& session, const Landmark& landmark, double min_parallax_rad) {
+bool HasParallax(const FrameTable& frames, const Landmark& landmark, double min_parallax_rad) {
   const std::vector<Observation>& views = landmark.observations;
-  const auto center_of = [&session](const Observation& view) {
-    return OriginInA(session.keyframe(view.frame).cam_from_session);
+  const auto center_of = [&frames](const Observation& view) {
+    return OriginInA(frames[view.frame].cam_from_session);
   };
   // The first and the last view are mostly the widest apart: try the far ones first.
   if (ParallaxAngle(center_of(views.front()), center_of(views.back()), landmark.position) >=
@@ -42,23 +55,20 @@ bool HasParallax(const Session& session, const Landmark& landmark, double min_pa
   return false;
 }
 
-void PruneLandmark(TrackId id, const LandmarkLimits& limits, Session* session,
-                   PruneReport* report) {
-  const Landmark before = session->landmarks().at(id);
-  const size_t count = before.observations.size();
+void PruneLandmark(TrackId id, const LandmarkLimits& limits, const FrameTable& frames,
+                   Session* session, PruneReport* report) {
+  const Landmark& landmark = session->landmarks().at(id);
+  const size_t count = landmark.observations.size();
   std::vector<Observation> bad;
-  for (const Observation& observation : before.observations) {
-    if (!(ErrorSigmas(*session, observation, before.position) <= limits.max_error_sigmas)) {
-      bad.push_back(observation);
-    }
+  for (const Observation& view : landmark.observations) {
+    const double error = ErrorSigmas(frames[view.frame], view.feature, landmark.position);
+    if (!(error <= limits.max_error_sigmas)) bad.push_back(view);
   }
   if (count - bad.size() < 2) {
     session->RemoveLandmark(id);
   } else {
     for (const Observation& observation : bad) session->RemoveObservation(id, observation);
-    if (!HasParallax(*session, session->landmarks().at(id), limits.min_parallax_rad)) {
-      session->RemoveLandmark(id);
-    }
+    if (!HasParallax(frames, landmark, limits.min_parallax_rad)) session->RemoveLandmark(id);
   }
   const Landmark* after = session->FindLandmark(id);
   report->num_landmarks += after == nullptr ? 1 : 0;
@@ -109,8 +119,9 @@ std::set<uint32_t> LooseFrames(const Session& session) {
 PruneReport PruneLandmarks(const std::vector<TrackId>& tracks, const LandmarkLimits& limits,
                            Session* session) {
   PruneReport report;
+  const FrameTable frames(*session);
   for (const TrackId id : tracks) {
-    if (session->landmarks().count(id) == 1) PruneLandmark(id, limits, session, &report);
+    if (session->landmarks().count(id) == 1) PruneLandmark(id, limits, frames, session, &report);
   }
   return report;
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <iterator>
 
 #include "rovio_sfm/geometry/triangulate.h"
 
@@ -107,14 +107,21 @@ bool CreateLandmark(TrackId id, const Track& track, const LandmarkLimits& limits
   return true;
 }
 
+std::vector<Observation> UnobservedMembers(const Track& track, const Landmark& landmark) {
+  std::vector<Observation> unobserved;
+  std::set_difference(track.members.begin(), track.members.end(), landmark.observations.begin(),
+                      landmark.observations.end(), std::back_inserter(unobserved));
+  return unobserved;
+}
+
 uint32_t CompleteLandmark(TrackId id, double max_error_sigmas, Session* session) {
-  const Eigen::Vector3d position = session->landmarks().at(id).position;
+  const Landmark& landmark = session->landmarks().at(id);
   std::vector<Observation> missing;
-  for (const Observation& member : session->tracks().at(id).members) {
+  for (const Observation& member : UnobservedMembers(session->tracks().at(id), landmark)) {
     const Keyframe& frame = session->keyframe(member.frame);
-    if (frame.observed[member.feature] || frame.weak) continue;
+    if (frame.weak) continue;
     const auto error =
-        ReprojectionError(frame.cam_from_session, frame.points[member.feature], position);
+        ReprojectionError(frame.cam_from_session, frame.points[member.feature], landmark.position);
     if (error && *error <= max_error_sigmas * frame.sigmas[member.feature]) {
       missing.push_back(member);
     }
