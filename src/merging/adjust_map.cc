@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <unordered_map>
 #include <utility>
 
 #include "rovio_sfm/mapping/adjust_session.h"
@@ -14,60 +16,93 @@ namespace {
 constexpr int kFinalRounds = 5;
 constexpr double kLooseFactor = 3.0;  // links may be that much worse before the adjustment
 
-double PixelsPerSigma(const PlacedSession& placed, const FeatureRef& feature) {
-  return placed.session->keyframe(feature.frame).sigmas[feature.feature] *
-         placed.session->camera().MeanFocal();
-}
+// A keyframe, and where its camera stands in the map.
+struct PlacedFrame {
+  const PlacedSession* placed = nullptr;
+  const Keyframe* keyframe = nullptr;
+  Rigid3 cam_from_map;
+};
 
-// The sessions of a map by id.
-class SessionIndex {
+// The keyframes of a map, each looked up once: links are many times as many.
+class FrameIndex {
  public:
-  explicit SessionIndex(const std::vector<PlacedSession>& sessions) {
-    for (const PlacedSession& placed : sessions) placed_[placed.session->id()] = &placed;
+  explicit FrameIndex(const std::vector<PlacedSession>& sessions) {
+    for (const PlacedSession& placed : sessions) sessions_[placed.session->id()] = {&placed, {}};
   }
 
   // Null where the session is not of this map or its keyframe is not there.
-  const PlacedSession* Find(const FeatureRef& feature) const {
-    const auto it = placed_.find(feature.session);
-    if (it == placed_.end()) return nullptr;
-    return it->second->session->keyframes().count(feature.frame) == 0 ? nullptr : it->second;
+  const PlacedFrame* Find(const FeatureRef& feature) {
+    const auto it = sessions_.find(feature.session);
+    if (it == sessions_.end()) return nullptr;
+    auto& [placed, frames] = it->second;
+    const auto known = frames.find(feature.frame);
+    if (known != frames.end()) return &known->second;
+    const auto keyframe = placed->session->keyframes().find(feature.frame);
+    if (keyframe == placed->session->keyframes().end()) return nullptr;
+    const PlacedFrame frame{placed, &keyframe->second, CamFromMap(*placed, feature.frame)};
+    return &frames.emplace(feature.frame, frame).first->second;
   }
 
  private:
-  std::map<SessionId, const PlacedSession*> placed_;
+  struct OfSession {
+    const PlacedSession* placed = nullptr;
+    std::unordered_map<uint32_t, PlacedFrame> frames;  // look-up only
+  };
+
+  std::map<SessionId, OfSession> sessions_;
 };
 
-struct LinkEnds {
-  const PlacedSession* a = nullptr;
-  const PlacedSession* b = nullptr;
-  const Landmark* landmark_a = nullptr;  // may be null, one of them
-  const Landmark* landmark_b = nullptr;
+struct LinkEnd {
+  const PlacedFrame* frame = nullptr;
+  uint32_t feature = 0;
+  const Landmark* landmark = nullptr;  // may be null at one end
 };
 
-std::optional<LinkEnds> EndsOf(const SessionIndex& index, const FeatureLink& link) {
-  LinkEnds ends{index.Find(link.a), index.Find(link.b)};
-  if (ends.a == nullptr || ends.b == nullptr) return std::nullopt;
-  ends.landmark_a = ObservedLandmark(*ends.a->session, link.a);
-  ends.landmark_b = ObservedLandmark(*ends.b->session, link.b);
-  if (ends.landmark_a == nullptr && ends.landmark_b == nullptr) return std::nullopt;
-  return ends;
+LinkEnd EndOf(const FeatureRef& feature, FrameIndex* index) {
+  const PlacedFrame* frame = index->Find(feature);
+  if (frame == nullptr) return {};
+  const Session& session = *frame->placed->session;
+  return {frame, feature.feature, ObservedLandmark(session, *frame->keyframe, feature.feature)};
 }
 
-bool Fits(const LinkEnds& ends, const FeatureLink& link, double max_error_sigmas) {
-  if (ends.landmark_a != nullptr &&
-      LinkErrorSigmas(*ends.a, ends.landmark_a->position, *ends.b, link.b) > max_error_sigmas) {
-    return false;
-  }
-  return ends.landmark_b == nullptr ||
-         LinkErrorSigmas(*ends.b, ends.landmark_b->position, *ends.a, link.a) <= max_error_sigmas;
+// How far off the landmark at one end projects at the other, sigmas; none without a landmark.
+std::optional<double> ErrorAcross(const LinkEnd& from, const LinkEnd& to) {
+  if (from.landmark == nullptr) return std::nullopt;
+  const Eigen::Vector3d in_map = from.frame->placed->map_from_session * from.landmark->position;
+  return LinkErrorSigmas(in_map, to.frame->cam_from_map, *to.frame->keyframe, to.feature);
+}
+
+double PixelsPerSigma(const LinkEnd& end) {
+  return end.frame->keyframe->sigmas[end.feature] *
+         end.frame->placed->session->camera().MeanFocal();
+}
+
+// Of both ends' landmarks; none where a keyframe is missing, or both landmarks.
+struct LinkErrors {
+  std::optional<double> sigmas[2];
+  double pixels_per_sigma[2] = {0.0, 0.0};
+};
+
+std::optional<LinkErrors> ErrorsOf(const FeatureLink& link, FrameIndex* index) {
+  const LinkEnd a = EndOf(link.a, index), b = EndOf(link.b, index);
+  if (a.frame == nullptr || b.frame == nullptr) return std::nullopt;
+  const LinkErrors errors{{ErrorAcross(a, b), ErrorAcross(b, a)},
+                          {PixelsPerSigma(b), PixelsPerSigma(a)}};
+  if (!errors.sigmas[0] && !errors.sigmas[1]) return std::nullopt;
+  return errors;
+}
+
+bool Fits(const LinkErrors& errors, double max_error_sigmas) {
+  return errors.sigmas[0].value_or(0.0) <= max_error_sigmas &&
+         errors.sigmas[1].value_or(0.0) <= max_error_sigmas;
 }
 
 uint32_t DropBadLinks(const std::vector<PlacedSession>& sessions, double max_error_sigmas,
                       std::vector<FeatureLink>* links) {
-  const SessionIndex index(sessions);
+  FrameIndex index(sessions);
   const auto bad = std::remove_if(links->begin(), links->end(), [&](const FeatureLink& link) {
-    const auto ends = EndsOf(index, link);
-    return ends && !Fits(*ends, link, max_error_sigmas);
+    const auto errors = ErrorsOf(link, &index);
+    return errors && !Fits(*errors, max_error_sigmas);
   });
   const auto num_dropped = static_cast<uint32_t>(links->end() - bad);
   links->erase(bad, links->end());
@@ -164,25 +199,22 @@ size_t NumFrames(const std::vector<PlacedSession>& sessions) {
 
 LinkStatistics MeasureLinks(const std::vector<PlacedSession>& sessions,
                             const std::vector<FeatureLink>& links) {
-  const SessionIndex index(sessions);
-  std::vector<double> errors;
+  FrameIndex index(sessions);
+  std::vector<double> errors_px;
   LinkStatistics statistics;
   for (const FeatureLink& link : links) {
-    const auto ends = EndsOf(index, link);
-    if (!ends) continue;
+    const auto errors = ErrorsOf(link, &index);
+    if (!errors) continue;
     ++statistics.num_links;
-    if (ends->landmark_a != nullptr) {
-      errors.push_back(LinkErrorSigmas(*ends->a, ends->landmark_a->position, *ends->b, link.b) *
-                       PixelsPerSigma(*ends->b, link.b));
-    }
-    if (ends->landmark_b != nullptr) {
-      errors.push_back(LinkErrorSigmas(*ends->b, ends->landmark_b->position, *ends->a, link.a) *
-                       PixelsPerSigma(*ends->a, link.a));
+    for (const int end : {0, 1}) {
+      if (!errors->sigmas[end]) continue;
+      errors_px.push_back(*errors->sigmas[end] * errors->pixels_per_sigma[end]);
     }
   }
-  if (errors.empty()) return statistics;
-  std::sort(errors.begin(), errors.end());
-  statistics.median_error_px = errors[errors.size() / 2];
+  if (errors_px.empty()) return statistics;
+  const auto middle = errors_px.begin() + static_cast<ptrdiff_t>(errors_px.size() / 2);
+  std::nth_element(errors_px.begin(), middle, errors_px.end());
+  statistics.median_error_px = *middle;
   return statistics;
 }
 

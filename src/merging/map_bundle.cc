@@ -17,14 +17,11 @@ Rigid3 CamFromMap(const PlacedSession& placed, uint32_t frame) {
   return TransformCamera(placed.map_from_session, placed.session->keyframe(frame).cam_from_session);
 }
 
-double LinkErrorSigmas(const PlacedSession& of_landmark, const Eigen::Vector3d& position,
-                       const PlacedSession& of_feature, const FeatureRef& feature) {
-  const Eigen::Vector3d x_in_cam =
-      CamFromMap(of_feature, feature.frame) * (of_landmark.map_from_session * position);
+double LinkErrorSigmas(const Eigen::Vector3d& point_in_map, const Rigid3& cam_from_map,
+                       const Keyframe& keyframe, uint32_t feature) {
+  const Eigen::Vector3d x_in_cam = cam_from_map * point_in_map;
   if (!(x_in_cam.z() > kMinDepth)) return std::numeric_limits<double>::infinity();
-  const Keyframe& frame = of_feature.session->keyframe(feature.frame);
-  const Eigen::Vector2d& seen = frame.points[feature.feature];
-  return (x_in_cam.hnormalized() - seen).norm() / frame.sigmas[feature.feature];
+  return (x_in_cam.hnormalized() - keyframe.points[feature]).norm() / keyframe.sigmas[feature];
 }
 
 MapBundle::MapBundle(const std::vector<PlacedSession>& sessions,
@@ -97,14 +94,19 @@ std::set<uint32_t>& MapBundle::CamerasOf(uint32_t landmark, const FeatureRef& vi
   return it->second;
 }
 
+// Of the landmark that one feature observes, projected at the other.
+double MapBundle::ErrorAcross(const FeatureRef& from, const FeatureRef& to) const {
+  const PlacedSession &source = PartOf(from)->placed, &target = PartOf(to)->placed;
+  const Eigen::Vector3d& position = ObservedLandmark(*source.session, from)->position;
+  return LinkErrorSigmas(source.map_from_session * position, CamFromMap(target, to.frame),
+                         target.session->keyframe(to.frame), to.feature);
+}
+
 // f1 holds across sessions too: one feature per frame and point.
 void MapBundle::Unite(const FeatureLink& link, uint32_t a, uint32_t b, double max_error_sigmas) {
-  const PlacedSession &in_a = PartOf(link.a)->placed, &in_b = PartOf(link.b)->placed;
-  const Eigen::Vector3d position_a = ObservedLandmark(*in_a.session, link.a)->position;
-  const Eigen::Vector3d position_b = ObservedLandmark(*in_b.session, link.b)->position;
   if (united_.Find(a) == united_.Find(b)) return;
-  if (LinkErrorSigmas(in_a, position_a, in_b, link.b) > max_error_sigmas ||
-      LinkErrorSigmas(in_b, position_b, in_a, link.a) > max_error_sigmas) {
+  if (ErrorAcross(link.a, link.b) > max_error_sigmas ||
+      ErrorAcross(link.b, link.a) > max_error_sigmas) {
     return;
   }
   std::set<uint32_t>&cameras_a = CamerasOf(a, link.a), &cameras_b = CamerasOf(b, link.b);

@@ -93,13 +93,15 @@ std::vector<PlacedSession> MergeList::SessionsOf(MapId map, SessionTable* sessio
 }
 
 std::vector<FeatureLink> MergeList::LinksOf(MapId map, const MergeEdit* except) const {
-  std::set<FeatureLink> links;
+  std::vector<FeatureLink> links;
   for (const MergeEdit& edit : edits_) {
     if (&edit == except || !IsAcceptedIn(map, edit)) continue;
     const std::vector<FeatureLink> of_edit = edit.links.List();
-    links.insert(of_edit.begin(), of_edit.end());
+    links.insert(links.end(), of_edit.begin(), of_edit.end());
   }
-  return {links.begin(), links.end()};
+  std::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+  return links;
 }
 
 bool MergeList::HasLinks(MapId map) const {

@@ -5,26 +5,30 @@
 #include <optional>
 #include <utility>
 
+#include "rovio_sfm/merging/adjust_map.h"
 #include "rovio_sfm/sessions/pose_graph.h"
 #include "rovio_sfm/sfm/session_bundle.h"
 
 namespace rovio_sfm {
 namespace {
 
-constexpr size_t kNeighbours = 4;           // keyframes after each that are tied to it
+constexpr size_t kMaxNodes = 150;           // a long way is bent at as many places
+constexpr size_t kNeighbours = 4;           // nodes after each that are tied to it
 constexpr size_t kMinSharedLinks = 15;      // links that tie two frames
-constexpr double kSigmaRotation = 0.002;    // rad, of a step between neighbours
+constexpr double kSigmaRotation = 0.002;    // rad, of a step between keyframes
 constexpr double kSigmaTranslation = 0.01;  // of a step, as a share of its length
 constexpr double kSigmaLogScale = 0.003;    // of a step: what drifts most in a monocular map
 constexpr double kLoopSigma = 0.5;          // of the loop, in sigmas of a step: it is seen at once
 
 Sim3 ToSim3(const Rigid3& rigid) { return {1.0, rigid.rotation, rigid.translation}; }
 
-// Nodes and edges, and which keyframe each node stands for.
+// Nodes and edges, and which keyframes each node stands for: itself and those after it, up to the
+// next one's.
 class GraphBuilder {
  public:
-  explicit GraphBuilder(const std::vector<PlacedSession>& sessions) : sessions_(sessions) {
-    for (size_t i = 0; i < sessions_.size(); ++i) AddSession(i);
+  explicit GraphBuilder(const std::vector<PlacedSession>& sessions)
+      : sessions_(sessions), stride_((NumFrames(sessions) + kMaxNodes - 1) / kMaxNodes) {
+    for (const PlacedSession& placed : sessions_) AddSession(placed);
   }
 
   void AddLoop(const MergeReport& loop) {
@@ -50,8 +54,9 @@ class GraphBuilder {
     }
   }
 
-  PoseGraph& graph() { return graph_; }
+  const PoseGraph& graph() const { return graph_; }
 
+  // That which stands for the frame.
   std::optional<uint32_t> FindNode(SessionId session, uint32_t frame) const {
     const auto it = nodes_.find({session, frame});
     return it == nodes_.end() ? std::nullopt : std::optional<uint32_t>(it->second);
@@ -63,21 +68,25 @@ class GraphBuilder {
                          [&](const PlacedSession& placed) { return placed.session->id() == id; });
   }
 
-  void AddSession(size_t number) {
-    const PlacedSession& placed = sessions_[number];
+  void AddSession(const PlacedSession& placed) {
     std::vector<uint32_t> recent;
+    size_t number = 0;
     for (const auto& [index, frame] : placed.session->keyframes()) {
       if (frame.weak) continue;
-      const auto node = static_cast<uint32_t>(graph_.nodes.size());
-      graph_.nodes.push_back({ToSim3(CamFromMap(placed, index)), node == 0});
-      nodes_[{placed.session->id(), index}] = node;
-      for (size_t i = 0; i < recent.size(); ++i) {
-        const auto steps = static_cast<double>(recent.size() - i);  // drift grows with them
-        AddEdge(recent[i], node, std::nullopt, steps, false);
-      }
-      recent.push_back(node);
-      if (recent.size() > kNeighbours) recent.erase(recent.begin());
+      if (number++ % stride_ == 0) AddNode(ToSim3(CamFromMap(placed, index)), &recent);
+      nodes_[{placed.session->id(), index}] = recent.back();
     }
+  }
+
+  void AddNode(const Sim3& node_from_map, std::vector<uint32_t>* recent) {
+    const auto node = static_cast<uint32_t>(graph_.nodes.size());
+    graph_.nodes.push_back({node_from_map, node == 0});
+    for (size_t i = 0; i < recent->size(); ++i) {
+      const size_t steps = (recent->size() - i) * stride_;  // drift grows with them
+      AddEdge((*recent)[i], node, std::nullopt, static_cast<double>(steps), false);
+    }
+    recent->push_back(node);
+    if (recent->size() > kNeighbours) recent->erase(recent->begin());
   }
 
   // As measured, or as the nodes stand; sigma in those of one step.
@@ -91,29 +100,33 @@ class GraphBuilder {
   }
 
   const std::vector<PlacedSession>& sessions_;
+  size_t stride_;  // keyframes from node to node
   std::map<std::pair<SessionId, uint32_t>, uint32_t> nodes_;
   PoseGraph graph_;
 };
 
-// A camera without scale at the centre and with the rotation of the node.
-Rigid3 CameraOf(const Sim3& node_from_map) {
-  const Eigen::Vector3d centre = Inverse(node_from_map).translation;
-  return {node_from_map.rotation, -(node_from_map.rotation * centre)};
+// How each frame of a session moves: as its node does.
+std::map<uint32_t, Sim3> MovesOf(const GraphBuilder& builder, const PoseGraph& before,
+                                 const PoseGraph& solved, const PlacedSession& placed,
+                                 const std::vector<uint32_t>& frames) {
+  std::map<uint32_t, Sim3> new_from_old;  // of the session
+  for (const uint32_t frame : frames) {
+    const uint32_t node = *builder.FindNode(placed.session->id(), frame);
+    const Sim3 map_from_map =
+        Inverse(solved.nodes[node].node_from_map) * before.nodes[node].node_from_map;
+    new_from_old[frame] = Inverse(placed.map_from_session) * map_from_map * placed.map_from_session;
+  }
+  return new_from_old;
 }
 
-// Writes the nodes into a session; landmarks move with the first frame that sees them.
-void Apply(const GraphBuilder& builder, const PoseGraph& solved, const PlacedSession& placed) {
-  const Sim3 session_from_map = Inverse(placed.map_from_session);
+// Moves a session as its nodes moved; landmarks move with the first frame that sees them.
+void Apply(const GraphBuilder& builder, const PoseGraph& before, const PoseGraph& solved,
+           const PlacedSession& placed) {
   SessionBundle bundle = MakeGlobalBundle(*placed.session);
-  std::map<uint32_t, Sim3> new_from_old;  // of the session, by frame
+  const auto new_from_old = MovesOf(builder, before, solved, placed, bundle.frames);
   for (size_t i = 0; i < bundle.frames.size(); ++i) {
-    const uint32_t frame = bundle.frames[i];
-    const Sim3& node_from_map =
-        solved.nodes[*builder.FindNode(placed.session->id(), frame)].node_from_map;
-    const Sim3 old_from_session = ToSim3(CamFromMap(placed, frame)) * placed.map_from_session;
-    new_from_old[frame] = session_from_map * Inverse(node_from_map) * old_from_session;
-    bundle.problem.cameras[i].cam_from_map =
-        TransformCamera(session_from_map, CameraOf(node_from_map));
+    Rigid3& pose = bundle.problem.cameras[i].cam_from_map;
+    pose = TransformCamera(new_from_old.at(bundle.frames[i]), pose);
   }
   for (size_t i = 0; i < bundle.tracks.size(); ++i) {
     for (const Observation& view : placed.session->landmarks().at(bundle.tracks[i]).observations) {
@@ -136,7 +149,7 @@ bool SpreadGap(const std::vector<PlacedSession>& sessions, const MergeReport& lo
   PoseGraph solved = builder.graph();
   const PoseGraphReport report = OptimizePoseGraph(&solved);
   if (!report.usable || !report.switched_off.empty()) return false;
-  for (const PlacedSession& placed : sessions) Apply(builder, solved, placed);
+  for (const PlacedSession& placed : sessions) Apply(builder, builder.graph(), solved, placed);
   return true;
 }
 

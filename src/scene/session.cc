@@ -338,9 +338,13 @@ void Session::MarkFrame(uint32_t index) const { frame_blocks_.erase(index / kFra
 const Landmark* ObservedLandmark(const Session& session, const FeatureRef& feature) {
   const auto frame = session.keyframes().find(feature.frame);
   if (frame == session.keyframes().end()) return nullptr;
-  const std::vector<uint8_t>& observed = frame->second.observed;
-  if (feature.feature >= observed.size() || !observed[feature.feature]) return nullptr;
-  return session.FindLandmark(frame->second.tracks[feature.feature]);
+  return ObservedLandmark(session, frame->second, feature.feature);
+}
+
+const Landmark* ObservedLandmark(const Session& session, const Keyframe& keyframe,
+                                 uint32_t feature) {
+  if (feature >= keyframe.observed.size() || !keyframe.observed[feature]) return nullptr;
+  return session.FindLandmark(keyframe.tracks[feature]);
 }
 
 }  // namespace rovio_sfm

@@ -78,13 +78,14 @@ void PruneLandmark(TrackId id, const LandmarkLimits& limits, const FrameTable& f
 
 constexpr uint32_t kMinHold = 10;  // landmarks by which a keyframe hangs on others
 
-// Grows from one keyframe over all that see kMinHold landmarks of those reached before.
-std::set<uint32_t> HangingTogether(const Session& session, uint32_t first) {
+// Grows from one keyframe over all that see kMinHold landmarks of those reached before, up to the
+// number that there are at most.
+std::set<uint32_t> HangingTogether(const Session& session, uint32_t first, size_t max_count) {
   std::set<uint32_t> reached = {first};
   std::vector<uint32_t> open = {first};
   std::set<TrackId> seen;
   std::map<uint32_t, uint32_t> num_seen;  // by keyframe not yet reached
-  while (!open.empty()) {
+  while (!open.empty() && reached.size() < max_count) {
     const Keyframe& keyframe = session.keyframe(open.back());
     open.pop_back();
     for (size_t i = 0; i < keyframe.tracks.size(); ++i) {
@@ -105,8 +106,9 @@ std::set<uint32_t> LooseFrames(const Session& session) {
   for (const auto& [index, keyframe] : session.keyframes()) {
     if (!keyframe.weak) posed.insert(index);
   }
+  const size_t num_posed = posed.size();
   for (std::set<uint32_t> left = posed; left.size() > largest.size();) {
-    const std::set<uint32_t> part = HangingTogether(session, *left.begin());
+    const std::set<uint32_t> part = HangingTogether(session, *left.begin(), num_posed);
     for (const uint32_t frame : part) left.erase(frame);
     if (part.size() > largest.size()) largest = part;
   }

@@ -55,9 +55,9 @@ class BundleBuilder {
   void Reserve(size_t num_observations) { bundle_.problem.observations.reserve(num_observations); }
 
   void AddCamera(uint32_t frame, bool fixed) {
-    cameras_[frame] = static_cast<uint32_t>(bundle_.frames.size());
-    bundle_.frames.push_back(frame);
     const Keyframe& keyframe = session_.keyframe(frame);
+    cameras_[frame] = {static_cast<uint32_t>(bundle_.frames.size()), &keyframe};
+    bundle_.frames.push_back(frame);
     bundle_.problem.cameras.push_back({keyframe.cam_from_session, fixed});
   }
 
@@ -65,11 +65,11 @@ class BundleBuilder {
     const auto point = static_cast<uint32_t>(bundle_.tracks.size());
     bool any = false;
     for (const Observation& observation : landmark.observations) {
-      const auto camera = cameras_.find(observation.frame);
-      if (camera == cameras_.end()) continue;
-      const Keyframe& frame = session_.keyframe(observation.frame);
+      const auto found = cameras_.find(observation.frame);
+      if (found == cameras_.end()) continue;
+      const Keyframe& frame = *found->second.keyframe;
       if (!((frame.cam_from_session * landmark.position).z() > 1e-6)) continue;
-      bundle_.problem.observations.push_back({camera->second, point,
+      bundle_.problem.observations.push_back({found->second.number, point,
                                               frame.sigmas[observation.feature],
                                               frame.points[observation.feature]});
       any = true;
@@ -82,9 +82,14 @@ class BundleBuilder {
   SessionBundle Take() { return std::move(bundle_); }
 
  private:
+  struct AddedCamera {
+    uint32_t number = 0;  // in the bundle
+    const Keyframe* keyframe = nullptr;
+  };
+
   const Session& session_;
   SessionBundle bundle_;
-  std::unordered_map<uint32_t, uint32_t> cameras_;  // look-up only
+  std::unordered_map<uint32_t, AddedCamera> cameras_;  // look-up only
 };
 
 // The newest frame of the map not after `frame`, else the oldest.

@@ -96,7 +96,8 @@ TEST(LinkErrorSigmas, IsInfiniteBehindTheCamera) {
   Session a = MappedSession(two, false, {});
   const Eigen::Vector3d behind =
       Inverse(a.keyframe(0).cam_from_session) * Eigen::Vector3d(0, 0, -1);
-  EXPECT_TRUE(std::isinf(LinkErrorSigmas({&a, {}}, behind, {&a, {}}, {a.id(), 0, 0})));
+  EXPECT_TRUE(
+      std::isinf(LinkErrorSigmas(behind, a.keyframe(0).cam_from_session, a.keyframe(0), 0)));
 }
 
 }  // namespace

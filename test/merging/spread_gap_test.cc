@@ -78,6 +78,25 @@ TEST(SpreadGap, ClosesALoopOverAllFrames) {
             1e-9);
 }
 
+TEST(SpreadGap, BendsALongWayByFewerNodes) {
+  SyntheticDriveOptions options = TwoDrivesOptions();
+  options.world.step *= options.world.num_cams / 700.0;
+  options.world.turn_rad *= options.world.num_cams / 700.0;
+  options.world.num_cams = 700;
+  const TwoDrives two = MakeTwoDrives(options);
+  const Session truth = MappedSession(two, false, {});
+  Session drifted = Drifted(truth, 1.0001);
+  const Session before = drifted;
+  const double scale = std::pow(1.0001, 349);
+  ASSERT_GT(Gap(before, truth, 0, 349), 0.02);
+  ASSERT_TRUE(SpreadGap({{&drifted, {}}}, LoopOf(drifted, truth, 0, 349, scale), {}));
+  EXPECT_LT(Gap(drifted, truth, 0, 349), 0.2 * Gap(before, truth, 0, 349));
+  EXPECT_EQ(CheckInvariants(drifted), "");
+  for (uint32_t i = 1; i < 350; ++i) {
+    EXPECT_LT(Gap(drifted, before, i - 1, i), 0.002) << "a step tears at frame " << i;
+  }
+}
+
 TEST(SpreadGap, TakesALinkedSessionAlong) {
   const TwoDrives two = MakeTwoDrives();
   const Session truth = MappedSession(two, false, {});

@@ -25,10 +25,10 @@ struct PlacedSession {
 // The camera of a session's keyframe in the map.
 Rigid3 CamFromMap(const PlacedSession& placed, uint32_t frame);
 
-// How far a landmark (in its session) projects from a feature of any session's keyframe, in sigmas
-// of the feature; infinite behind the camera.
-double LinkErrorSigmas(const PlacedSession& of_landmark, const Eigen::Vector3d& position,
-                       const PlacedSession& of_feature, const FeatureRef& feature);
+// How far a point projects from a feature of any session's keyframe, in sigmas of the feature;
+// infinite behind the camera.
+double LinkErrorSigmas(const Eigen::Vector3d& point_in_map, const Rigid3& cam_from_map,
+                       const Keyframe& keyframe, uint32_t feature);
 
 // The sessions of a map as one bundle problem in the gauge of the map (§4.3.3): landmarks that
 // links join are one point, and a feature that a link joins to a landmark observes it.
@@ -70,6 +70,7 @@ class MapBundle {
   std::set<uint32_t>& CamerasOf(uint32_t landmark, const FeatureRef& view);
   void AddPart(const PlacedSession& placed);
   void Join(const FeatureLink& link, double max_error_sigmas);
+  double ErrorAcross(const FeatureRef& from, const FeatureRef& to) const;
   void Unite(const FeatureLink& link, uint32_t a, uint32_t b, double max_error_sigmas);
   void AddPoints();
   void AddObservations();

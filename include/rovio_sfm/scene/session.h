@@ -153,8 +153,10 @@ class Session {
   mutable std::set<uint32_t> moved_;  // keyframes since then: their light frames moved with them
 };
 
-// The landmark that a feature of the session observes; null if none.
+// The landmark that a feature of the session, or of its keyframe, observes; null if none.
 const Landmark* ObservedLandmark(const Session& session, const FeatureRef& feature);
+const Landmark* ObservedLandmark(const Session& session, const Keyframe& keyframe,
+                                 uint32_t feature);
 
 // Names the first broken invariant between frames, tracks and landmarks; empty if all hold.
 std::string CheckInvariants(const Session& session);
