@@ -86,10 +86,8 @@ struct LinkErrors {
 std::optional<LinkErrors> ErrorsOf(const FeatureLink& link, FrameIndex* index) {
   const LinkEnd a = EndOf(link.a, index), b = EndOf(link.b, index);
   if (a.frame == nullptr || b.frame == nullptr) return std::nullopt;
-  const LinkErrors errors{{ErrorAcross(a, b), ErrorAcross(b, a)},
-                          {PixelsPerSigma(b), PixelsPerSigma(a)}};
-  if (!errors.sigmas[0] && !errors.sigmas[1]) return std::nullopt;
-  return errors;
+  if (a.landmark == nullptr && b.landmark == nullptr) return std::nullopt;
+  return LinkErrors{{ErrorAcross(a, b), ErrorAcross(b, a)}, {PixelsPerSigma(b), PixelsPerSigma(a)}};
 }
 
 bool Fits(const LinkErrors& errors, double max_error_sigmas) {

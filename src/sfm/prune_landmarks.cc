@@ -13,18 +13,20 @@
 namespace rovio_sfm {
 namespace {
 
-// A session's keyframes, each found at once: a landmark has up to hundreds of views. Only while no
-// keyframe comes, goes or moves.
+// A session's keyframes, each looked up once: a landmark has up to hundreds of views. Only while no
+// keyframe comes or goes.
 class FrameTable {
  public:
-  explicit FrameTable(const Session& session) {
-    frames_.reserve(session.keyframes().size());
-    for (const auto& [index, frame] : session.keyframes()) frames_.emplace(index, &frame);
+  explicit FrameTable(const Session& session) : session_(session) {}
+
+  const Keyframe& Find(uint32_t index) {
+    const Keyframe*& frame = frames_[index];
+    if (frame == nullptr) frame = &session_.keyframe(index);
+    return *frame;
   }
 
-  const Keyframe& operator[](uint32_t index) const { return *frames_.at(index); }
-
  private:
+  const Session& session_;
   std::unordered_map<uint32_t, const Keyframe*> frames_;  // look-up only
 };
 
@@ -33,10 +35,10 @@ double ErrorSigmas(const Keyframe& frame, uint32_t feature, const Eigen::Vector3
   return error ? *error / frame.sigmas[feature] : HUGE_VAL;
 }
 
-bool HasParallax(const FrameTable& frames, const Landmark& landmark, double min_parallax_rad) {
+bool HasParallax(const Landmark& landmark, double min_parallax_rad, FrameTable* frames) {
   const std::vector<Observation>& views = landmark.observations;
-  const auto center_of = [&frames](const Observation& view) {
-    return OriginInA(frames[view.frame].cam_from_session);
+  const auto center_of = [frames](const Observation& view) {
+    return OriginInA(frames->Find(view.frame).cam_from_session);
   };
   // The first and the last view are mostly the widest apart: try the far ones first.
   if (ParallaxAngle(center_of(views.front()), center_of(views.back()), landmark.position) >=
@@ -55,20 +57,20 @@ bool HasParallax(const FrameTable& frames, const Landmark& landmark, double min_
   return false;
 }
 
-void PruneLandmark(TrackId id, const LandmarkLimits& limits, const FrameTable& frames,
-                   Session* session, PruneReport* report) {
+void PruneLandmark(TrackId id, const LandmarkLimits& limits, FrameTable* frames, Session* session,
+                   PruneReport* report) {
   const Landmark& landmark = session->landmarks().at(id);
   const size_t count = landmark.observations.size();
   std::vector<Observation> bad;
   for (const Observation& view : landmark.observations) {
-    const double error = ErrorSigmas(frames[view.frame], view.feature, landmark.position);
+    const double error = ErrorSigmas(frames->Find(view.frame), view.feature, landmark.position);
     if (!(error <= limits.max_error_sigmas)) bad.push_back(view);
   }
   if (count - bad.size() < 2) {
     session->RemoveLandmark(id);
   } else {
     for (const Observation& observation : bad) session->RemoveObservation(id, observation);
-    if (!HasParallax(frames, landmark, limits.min_parallax_rad)) session->RemoveLandmark(id);
+    if (!HasParallax(landmark, limits.min_parallax_rad, frames)) session->RemoveLandmark(id);
   }
   const Landmark* after = session->FindLandmark(id);
   report->num_landmarks += after == nullptr ? 1 : 0;
@@ -121,9 +123,9 @@ std::set<uint32_t> LooseFrames(const Session& session) {
 PruneReport PruneLandmarks(const std::vector<TrackId>& tracks, const LandmarkLimits& limits,
                            Session* session) {
   PruneReport report;
-  const FrameTable frames(*session);
+  FrameTable frames(*session);
   for (const TrackId id : tracks) {
-    if (session->landmarks().count(id) == 1) PruneLandmark(id, limits, frames, session, &report);
+    if (session->landmarks().count(id) == 1) PruneLandmark(id, limits, &frames, session, &report);
   }
   return report;
 }
