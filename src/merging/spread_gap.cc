@@ -106,24 +106,22 @@ class GraphBuilder {
 };
 
 // How each frame of a session moves: as its node does.
-std::map<uint32_t, Sim3> MovesOf(const GraphBuilder& builder, const PoseGraph& before,
-                                 const PoseGraph& solved, const PlacedSession& placed,
-                                 const std::vector<uint32_t>& frames) {
+std::map<uint32_t, Sim3> MovesOf(const GraphBuilder& builder, const PoseGraph& solved,
+                                 const PlacedSession& placed, const std::vector<uint32_t>& frames) {
   std::map<uint32_t, Sim3> new_from_old;  // of the session
   for (const uint32_t frame : frames) {
     const uint32_t node = *builder.FindNode(placed.session->id(), frame);
     const Sim3 map_from_map =
-        Inverse(solved.nodes[node].node_from_map) * before.nodes[node].node_from_map;
+        Inverse(solved.nodes[node].node_from_map) * builder.graph().nodes[node].node_from_map;
     new_from_old[frame] = Inverse(placed.map_from_session) * map_from_map * placed.map_from_session;
   }
   return new_from_old;
 }
 
 // Moves a session as its nodes moved; landmarks move with the first frame that sees them.
-void Apply(const GraphBuilder& builder, const PoseGraph& before, const PoseGraph& solved,
-           const PlacedSession& placed) {
+void Apply(const GraphBuilder& builder, const PoseGraph& solved, const PlacedSession& placed) {
   SessionBundle bundle = MakeGlobalBundle(*placed.session);
-  const auto new_from_old = MovesOf(builder, before, solved, placed, bundle.frames);
+  const auto new_from_old = MovesOf(builder, solved, placed, bundle.frames);
   for (size_t i = 0; i < bundle.frames.size(); ++i) {
     Rigid3& pose = bundle.problem.cameras[i].cam_from_map;
     pose = TransformCamera(new_from_old.at(bundle.frames[i]), pose);
@@ -149,7 +147,7 @@ bool SpreadGap(const std::vector<PlacedSession>& sessions, const MergeReport& lo
   PoseGraph solved = builder.graph();
   const PoseGraphReport report = OptimizePoseGraph(&solved);
   if (!report.usable || !report.switched_off.empty()) return false;
-  for (const PlacedSession& placed : sessions) Apply(builder, builder.graph(), solved, placed);
+  for (const PlacedSession& placed : sessions) Apply(builder, solved, placed);
   return true;
 }
 
