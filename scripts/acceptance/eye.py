@@ -14,7 +14,7 @@ MAX_SHARE_OF_STEPS = 0.60
 # after the drive (PCL), the pages, calibrations corrected.
 LATER_PARTS = re.compile(
     r"src/(io/(map_store|export_(bundler|colmap|kitti|nvm)|colmap_camera|undistort_image)"
-    r"|merging/(localizer|map_keeper_store)|matching/match_(posed|in_range)|dense/|finish/|surface/"
+    r"|merging/(localizer|map_keeper_store)|recognition/largest_features|matching/match_(posed|in_range)|dense/|finish/|surface/"
     r"|sim/tour/sample_surface|sfm/refine_intrinsics|scene/session_camera|util/nearest_rows"
     r"|app/(map_formats|map_products|store_folder|write_model_files|finish_map|write_page|web_|map_web|live_|thumbnail)"
     r"|report/(collect_model|name_pictures|drive_names|page_data)"

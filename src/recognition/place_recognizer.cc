@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "rovio_sfm/recognition/largest_features.h"
+
 namespace rovio_sfm {
 
 PlaceRecognizer::PlaceRecognizer(const PlaceRecognizerOptions& options,
@@ -106,7 +108,8 @@ std::vector<PlaceMatch> PlaceRecognizer::QueryImage(std::shared_ptr<const FrameF
 
 std::vector<uint32_t> PlaceRecognizer::WordsOf(const FrameFeatures& features) const {
   const StageTimes::Scope scope = MeasureStage(times_, "place words");
-  return model_->vocabulary.Quantize(features.descriptors);
+  const auto count = static_cast<size_t>(options_.max_features);
+  return model_->vocabulary.Quantize(LargestFeatures(features, count).descriptors);
 }
 
 std::vector<PlaceMatch> PlaceRecognizer::Match(const PlaceFrame& query,

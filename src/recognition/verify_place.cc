@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "rovio_sfm/recognition/largest_features.h"
 #include "rovio_sfm/util/rng.h"
 
 namespace rovio_sfm {
@@ -50,6 +51,31 @@ bool IsSpread(const std::vector<FeatureMatch>& inliers, const PlaceFrame& candid
   return cells_candidate.size() >= count && cells_query.size() >= count;
 }
 
+PairMatches MatchPlaces(const PlaceFrame& candidate, const PlaceFrame& query,
+                        const PairOptions& options, uint64_t seed) {
+  Rng rng = PairRng(seed, candidate.id, query.id);
+  return MatchPair(candidate.id.index, *candidate.features, *query.features,
+                   CommonFocal(candidate.camera, query.camera), options, rng);
+}
+
+PlaceFrame WithLargest(PlaceFrame frame, size_t count) {
+  frame.features = std::make_shared<FrameFeatures>(LargestFeatures(*frame.features, count));
+  return frame;
+}
+
+// True where the largest features, which cost little to match, hold less than half a pair.
+bool FailsAtAGlance(const PlaceFrame& candidate, const PlaceFrame& query,
+                    const VerifyPlaceOptions& options, uint64_t seed) {
+  const auto count = static_cast<size_t>(options.glance_features);
+  if (candidate.features->keypoints.size() <= count) return false;
+  if (query.features->keypoints.size() <= count) return false;
+  PairOptions milder = options.pair;
+  milder.use_guided = false;
+  milder.verify.min_inliers = options.pair.verify.min_inliers / 2;
+  return MatchPlaces(WithLargest(candidate, count), WithLargest(query, count), milder, seed)
+             .verdict == PairVerdict::kFailed;
+}
+
 }  // namespace
 
 PairOptions VerifyPlaceOptions::DefaultPair() {
@@ -60,10 +86,9 @@ PairOptions VerifyPlaceOptions::DefaultPair() {
 
 PlaceVerification VerifyPlace(const PlaceFrame& candidate, const PlaceFrame& query,
                               const VerifyPlaceOptions& options, uint64_t seed) {
-  Rng rng = PairRng(seed, candidate.id, query.id);
-  PairMatches pair = MatchPair(candidate.id.index, *candidate.features, *query.features,
-                               CommonFocal(candidate.camera, query.camera), options.pair, rng);
   PlaceVerification verification;
+  if (FailsAtAGlance(candidate, query, options, seed)) return verification;
+  PairMatches pair = MatchPlaces(candidate, query, options.pair, seed);
   if (pair.verdict == PairVerdict::kFailed) return verification;
   verification.refusal = IsSpread(pair.inliers, candidate, query, options.min_cells)
                              ? PlaceRefusal::kNone

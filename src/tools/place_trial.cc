@@ -80,7 +80,6 @@ class TrialRunner {
               const std::shared_ptr<const PlaceModel>& model, const PlaceRecognizerOptions& options,
               const PlaceTrialOptions& trial_options)
       : database_(database),
-        model_(model),
         trial_options_(trial_options),
         recognizer_(options, model, &store_),
         tf_idf_(*model) {}
@@ -91,14 +90,13 @@ class TrialRunner {
     of_place_.push_back(number);
     store_.Put(image.id, image.features);
     recognizer_.Remember(EventOf(image));
-    tf_idf_.AddPlace(model_->vocabulary.Quantize(image.features->descriptors));
+    tf_idf_.AddPlace(recognizer_.WordsOf(*image.features));
   }
 
   void Ask(const PlaceImage& image) {
     const bool goes_on = trial_options_.use_prior && last_ && last_drive_ == image.id.drive;
     const FabmapResult* last = goes_on ? &*last_ : nullptr;
-    const auto words = words_watch_.Measure(
-        [&] { return model_->vocabulary.Quantize(image.features->descriptors); });
+    const auto words = words_watch_.Measure([&] { return recognizer_.WordsOf(*image.features); });
     PlaceProposal proposal = fabmap_watch_.Measure(
         [&] { return recognizer_.index().AskAll(words, OnlyTheBest(), last); });
     trial_.fabmap.push_back(BestOf(proposal.candidates));
@@ -152,7 +150,6 @@ class TrialRunner {
   }
 
   const std::vector<PlaceImage>& database_;
-  std::shared_ptr<const PlaceModel> model_;
   PlaceTrialOptions trial_options_;
   MemoryFrameStore store_;
   PlaceRecognizer recognizer_;

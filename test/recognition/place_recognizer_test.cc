@@ -67,6 +67,39 @@ class PlaceRecognizerTest : public testing::Test {
   SyntheticRoom hall_, attic_, cellar_;
 };
 
+// A hundred large features of one room's first view, all of another's as small ones.
+std::shared_ptr<const FrameFeatures> LargeAndSmall(const SyntheticRoom& large,
+                                                   const SyntheticRoom& small) {
+  auto features = std::make_shared<FrameFeatures>(*large.FeaturesOf(0));
+  const size_t length = features->descriptors.length;
+  features->keypoints.resize(100);
+  features->colors.resize(100);
+  features->descriptors.data.resize(100 * length);
+  for (Keypoint& keypoint : features->keypoints) keypoint.size_px = 20.0f;
+  const auto more = small.FeaturesOf(0);
+  const auto append = [](const auto& from, auto* to) {
+    to->insert(to->end(), from.begin(), from.end());
+  };
+  append(more->keypoints, &features->keypoints);
+  append(more->colors, &features->colors);
+  append(more->descriptors.data, &features->descriptors.data);
+  return features;
+}
+
+TEST_F(PlaceRecognizerTest, WordsAreOfTheLargestFeatures) {
+  for (const int max_features : {100, 2000}) {
+    PlaceRecognizerOptions options = Options();
+    options.max_features = max_features;
+    options.candidates.max_candidates = 1;
+    PlaceRecognizer places = Make(options);
+    Pass(hall_, kFirst, 0, &places);
+    Pass(attic_, kSecond, 0, &places);
+    const auto matches = places.QueryImage(LargeAndSmall(hall_, attic_), hall_.world().camera);
+    ASSERT_EQ(matches.size(), 1u) << max_features;
+    EXPECT_EQ(matches[0].pairs[0].other.drive, max_features == 100 ? kFirst : kSecond);
+  }
+}
+
 TEST_F(PlaceRecognizerTest, SecondDriveIsMatchedWithTheFirstAndTheFramesAround) {
   PlaceRecognizer places = Make();
   EXPECT_TRUE(Pass(hall_, kFirst, 0, &places).empty());

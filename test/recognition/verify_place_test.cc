@@ -71,6 +71,44 @@ TEST(VerifyPlace, DependsOnlyOnSeedAndIds) {
   EXPECT_EQ(once.pair.inliers.size(), again.pair.inliers.size());
 }
 
+// The same, its first hundred features larger than the others and, if they are to be strange, like
+// nothing else.
+PlaceFrame WithLargeOnes(PlaceFrame frame, bool strange) {
+  constexpr size_t kNumLarge = 100;
+  auto features = std::make_shared<FrameFeatures>(*frame.features);
+  for (size_t i = 0; i < kNumLarge; ++i) features->keypoints[i].size_px = 20.0f;
+  Rng rng(9);
+  for (size_t i = 0; strange && i < kNumLarge * features->descriptors.length; ++i) {
+    features->descriptors.data[i] = static_cast<uint8_t>(rng.UniformInt(91));
+  }
+  frame.features = features;
+  return frame;
+}
+
+TEST(VerifyPlace, AGlanceThatHoldsChangesNothing) {
+  const SyntheticRoom room(1);
+  const PlaceFrame candidate = WithLargeOnes(room.FrameOf(kFirst, 0), false);
+  const PlaceFrame query = WithLargeOnes(room.FrameOf(kSecond, 1), false);
+  VerifyPlaceOptions at_a_glance;
+  at_a_glance.glance_features = 100;
+  const PlaceVerification whole = VerifyPlace(candidate, query, {}, 1);
+  const PlaceVerification glanced = VerifyPlace(candidate, query, at_a_glance, 1);
+  ASSERT_EQ(glanced.refusal, PlaceRefusal::kNone);
+  EXPECT_EQ(glanced.pair.inliers.size(), whole.pair.inliers.size());
+  EXPECT_EQ(glanced.pair.query_from_other.rotation.coeffs(),
+            whole.pair.query_from_other.rotation.coeffs());
+}
+
+TEST(VerifyPlace, RefusesAtAGlanceWhatTheLargestFeaturesDoNotShare) {
+  const SyntheticRoom room(1);
+  const PlaceFrame candidate = WithLargeOnes(room.FrameOf(kFirst, 0), true);
+  const PlaceFrame query = WithLargeOnes(room.FrameOf(kSecond, 1), false);
+  VerifyPlaceOptions at_a_glance;
+  at_a_glance.glance_features = 100;
+  EXPECT_EQ(VerifyPlace(candidate, query, {}, 1).refusal, PlaceRefusal::kNone);
+  EXPECT_EQ(VerifyPlace(candidate, query, at_a_glance, 1).refusal, PlaceRefusal::kGeometry);
+}
+
 TEST(MatchAround, GoesOnUntilTheMostAllowed) {
   const SyntheticRoom room(1);
   VerifyPlaceOptions options;

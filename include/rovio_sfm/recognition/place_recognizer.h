@@ -65,6 +65,9 @@ class PlaceRecognizer {
   std::vector<PlaceMatch> QueryImage(std::shared_ptr<const FrameFeatures> features,
                                      const Camera& camera, const FabmapResult* last = nullptr);
 
+  // What an image is asked for and remembered by: the words of its largest features.
+  std::vector<uint32_t> WordsOf(const FrameFeatures& features) const;
+
   const PlaceCounters& counters() const { return counters_; }
   const std::string& last_refusal() const { return last_refusal_; }
   const PlaceIndex& index() const { return index_; }
@@ -74,7 +77,6 @@ class PlaceRecognizer {
   bool CountRefused(uint64_t* counter, const std::string& reason);
   std::vector<FrameId> WithoutRecent(const std::vector<FrameId>& frames, const FrameId& id,
                                      const std::set<FrameId>& queries) const;
-  std::vector<uint32_t> WordsOf(const FrameFeatures& features) const;
   std::vector<PlaceMatch> Match(const PlaceFrame& query, const PlaceProposal& proposal);
   std::optional<OverlapPair> Verify(const PlaceFrame& query, const FrameId& other);
   bool IsAccepted(const PlaceVerification& verification);

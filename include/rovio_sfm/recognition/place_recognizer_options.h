@@ -28,6 +28,7 @@ struct CandidateOptions {
 
 // What place recognition can be told; config/place_recognition.yaml mirrors it.
 struct PlaceRecognizerOptions {
+  int max_features = 2000;
   FabmapOptions fabmap;
   MotionPriorOptions motion_prior;
   CandidateOptions candidates;
@@ -39,6 +40,8 @@ struct PlaceRecognizerOptions {
   static CandidateOptions OverlapCandidates();
 
   void DescribeOptions(OptionTable& table) {
+    table.AddNumber("max_features", max_features, 100, 100000,
+                    "words of an image: of its largest features");
     table.AddGroup("fabmap", fabmap, "");
     table.AddGroup("motion_prior", motion_prior, "where the robot may be, given where it was");
     table.AddGroup("candidates", candidates, "what appearance proposes to geometry");

@@ -20,6 +20,7 @@ namespace rovio_sfm {
 struct VerifyPlaceOptions {
   // Stricter than between neighbouring frames: ratio 0.8 and 20 inliers refused every foreign room.
   PairOptions pair = DefaultPair();
+  int glance_features = 2000;
   int min_cells = 4;
   int max_neighbors = 2;
 
@@ -27,6 +28,8 @@ struct VerifyPlaceOptions {
 
   void DescribeOptions(OptionTable& table) {
     table.AddGroup("pair", pair, "what the matches of a pair pass, in order");
+    table.AddNumber("glance_features", glance_features, 100, 100000,
+                    "the largest, matched first; what they do not hold is not matched whole");
     table.AddNumber("min_cells", min_cells, 1, 16, "of 4 x 4 in each image that hold an inlier");
     table.AddNumber("max_neighbors", max_neighbors, 0, 50, "frames tried on each side (§4.3.1)");
   }
@@ -50,8 +53,9 @@ struct PlaceVerification {
 // Looks a frame up by its id; nothing where its features are out of reach.
 using FindPlaceFrame = std::function<std::optional<PlaceFrame>(const FrameId&)>;
 
-// Matches a candidate with the query: descriptors, ratio, RANSAC on the essential matrix, spread.
-// Randomness depends on the seed and the two ids alone.
+// Matches a candidate with the query: a glance at the largest features of images with more, then
+// all: descriptors, ratio, RANSAC on the essential matrix, spread. Randomness depends on the seed
+// and the two ids alone.
 PlaceVerification VerifyPlace(const PlaceFrame& candidate, const PlaceFrame& query,
                               const VerifyPlaceOptions& options, uint64_t seed);
 
