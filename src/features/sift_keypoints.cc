@@ -89,10 +89,16 @@ class ExtremumFinder {
                  .min(column_least_.segment(1, width))
                  .min(column_least_.tail(width));
     const Row& row = own.row(y);
+    // At most 0 where it is both as strong as the threshold and the greatest or the least.
+    lack_ = (greatest_ - row.segment(1, width))
+                .min(row.segment(1, width) - least_)
+                .max(threshold_ - row.segment(1, width).abs());
+    const float* lack = lack_.data();  // from the second column on
     for (Eigen::Index x = kSiftBorder; x < row.size() - kSiftBorder; ++x) {
+      if (lack[x - 1] > 0.0f) continue;
       const float value = row[x];
-      if (std::abs(value) <= threshold_) continue;
-      if (value == (value > 0.0f ? greatest_[x - 1] : least_[x - 1])) {
+      if (std::abs(value) > threshold_ &&
+          value == (value > 0.0f ? greatest_[x - 1] : least_[x - 1])) {
         found_.push_back({layer, y, static_cast<int>(x)});
       }
     }
@@ -101,7 +107,7 @@ class ExtremumFinder {
   const SiftOctave& octave_;
   float threshold_;
   std::array<DifferenceRows, kNumDifferences> differences_;
-  Row column_greatest_, column_least_, greatest_, least_;
+  Row column_greatest_, column_least_, greatest_, least_, lack_;
   std::vector<GridPoint> found_;
 };
 
