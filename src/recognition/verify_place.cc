@@ -12,6 +12,7 @@ namespace rovio_sfm {
 namespace {
 
 constexpr int kCellsPerSide = 4;
+constexpr int kLeastInliers = 8;  // that any pair may be asked for
 
 // FNV-1a: the same with every standard library.
 uint64_t HashOf(const std::string& text) {
@@ -71,7 +72,7 @@ bool FailsAtAGlance(const PlaceFrame& candidate, const PlaceFrame& query,
   if (query.features->keypoints.size() <= count) return false;
   PairOptions milder = options.pair;
   milder.use_guided = false;
-  milder.verify.min_inliers = options.pair.verify.min_inliers / 2;
+  milder.verify.min_inliers = std::max(kLeastInliers, options.pair.verify.min_inliers / 2);
   return MatchPlaces(WithLargest(candidate, count), WithLargest(query, count), milder, seed)
              .verdict == PairVerdict::kFailed;
 }
