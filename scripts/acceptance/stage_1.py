@@ -14,7 +14,7 @@ TOURS = ("visionlab", "turntable", "industrialArea", "pipeline", "engineRoom0", 
 SEEDS = (1, 2, 3)
 SCALE_SEEDS = range(1, 21)
 # Of the features of a neighbouring pair; projections per landmark. tum_fr1_xyz lies inside.
-FUNNEL = {"ratio": (0.10, 0.60), "ransac": (0.03, 0.40), "views": (2.5, 10.0)}
+FUNNEL = {"ratio": (0.10, 0.60), "ransac": (0.03, 0.45), "views": (2.5, 10.0)}
 STILLS = ("--mode", "every", "--features", "8000")
 
 
