@@ -6,6 +6,7 @@
 
 #include "rovio_sfm/features/decode_image.h"
 #include "rovio_sfm/features/extract_features.h"
+#include "rovio_sfm/scene/append_feature.h"
 
 namespace rovio_sfm {
 namespace {
@@ -30,14 +31,6 @@ bool IsNear(const Keypoint& keypoint, const std::vector<Keypoint>& others, doubl
   return false;
 }
 
-void Append(const FrameFeatures& from, size_t index, FrameFeatures* features) {
-  features->keypoints.push_back(from.keypoints[index]);
-  features->colors.push_back(from.colors[index]);
-  const uint8_t* row = from.descriptors.Row(index);
-  features->descriptors.data.insert(features->descriptors.data.end(), row,
-                                    row + from.descriptors.length);
-}
-
 }  // namespace
 
 FrameFeatures GatherFeatures(const FrameFeatures& stored, const std::vector<uint8_t>* picture,
@@ -53,7 +46,7 @@ FrameFeatures GatherFeatures(const FrameFeatures& stored, const std::vector<uint
   const FrameFeatures found = ExtractFeatures(Denoise(bgr, options.denoise), camera, extract);
   for (size_t i = 0; i < found.keypoints.size(); ++i) {
     if (IsNear(found.keypoints[i], stored.keypoints, options.min_distance_px)) continue;
-    Append(found, i, &gathered);
+    AppendFeature(found, i, &gathered);
   }
   return gathered;
 }

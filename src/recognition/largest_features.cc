@@ -4,6 +4,8 @@
 #include <numeric>
 #include <vector>
 
+#include "rovio_sfm/scene/append_feature.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -19,17 +21,14 @@ std::vector<size_t> LargestIndices(const std::vector<Keypoint>& keypoints, size_
 
 }  // namespace
 
-FrameFeatures LargestFeatures(const FrameFeatures& features, size_t count) {
-  if (features.keypoints.size() <= count) return features;
-  FrameFeatures largest;
-  largest.descriptors = {
-      features.descriptors.type, features.descriptors.metric, features.descriptors.length, {}};
-  const size_t length = features.descriptors.length;
-  for (const size_t i : LargestIndices(features.keypoints, count)) {
-    largest.keypoints.push_back(features.keypoints[i]);
-    largest.colors.push_back(features.colors[i]);
-    const uint8_t* row = features.descriptors.Row(i);
-    largest.descriptors.data.insert(largest.descriptors.data.end(), row, row + length);
+std::shared_ptr<const FrameFeatures> LargestFeatures(std::shared_ptr<const FrameFeatures> features,
+                                                     size_t count) {
+  if (features->keypoints.size() <= count) return features;
+  auto largest = std::make_shared<FrameFeatures>();
+  const Descriptors& descriptors = features->descriptors;
+  largest->descriptors = {descriptors.type, descriptors.metric, descriptors.length, {}};
+  for (const size_t i : LargestIndices(features->keypoints, count)) {
+    AppendFeature(*features, i, largest.get());
   }
   return largest;
 }

@@ -15,7 +15,7 @@ PlaceRecognizer::PlaceRecognizer(const PlaceRecognizerOptions& options,
 
 std::vector<PlaceMatch> PlaceRecognizer::Add(const FrameEvent& event) {
   if (!Enter(event)) return {};
-  const std::vector<uint32_t> words = WordsOf(*event.features);
+  const std::vector<uint32_t> words = WordsOf(event.features);
   const size_t num_allowed = recent_.at(event.id.drive).Add(event.tracks, event.links);
   const PlaceProposal proposal =
       index_.Ask(event.id.drive, num_allowed, words, options_.candidates);
@@ -27,7 +27,7 @@ std::vector<PlaceMatch> PlaceRecognizer::Add(const FrameEvent& event) {
 void PlaceRecognizer::Remember(const FrameEvent& event) {
   if (!Enter(event)) return;
   recent_.at(event.id.drive).Add(event.tracks, event.links);
-  index_.Add(event.id, WordsOf(*event.features), std::nullopt);
+  index_.Add(event.id, WordsOf(event.features), std::nullopt);
 }
 
 void PlaceRecognizer::EndRecentPast(const DriveId& drive, size_t num_kept) {
@@ -70,7 +70,7 @@ std::vector<PlaceMatch> PlaceRecognizer::FindOverlaps(const std::vector<FrameId>
     const std::optional<PlaceFrame> query = FindFrame(id);
     if (!query) continue;
     const PlaceProposal proposal =
-        index_.AskAmong(WithoutRecent(others, id, query_ids), WordsOf(*query->features),
+        index_.AskAmong(WithoutRecent(others, id, query_ids), WordsOf(query->features),
                         options_.overlap_candidates);
     for (PlaceMatch& match : Match(*query, proposal)) matches.push_back(std::move(match));
   }
@@ -102,14 +102,15 @@ std::vector<PlaceMatch> PlaceRecognizer::QueryImage(std::shared_ptr<const FrameF
     CountRefused(&counters_.foreign_type, "image: " + reason);
     return {};
   }
-  const PlaceProposal proposal = index_.AskAll(WordsOf(*features), options_.candidates, last);
+  const PlaceProposal proposal = index_.AskAll(WordsOf(features), options_.candidates, last);
   return Match({FrameId{}, std::move(features), camera}, proposal);
 }
 
-std::vector<uint32_t> PlaceRecognizer::WordsOf(const FrameFeatures& features) const {
+std::vector<uint32_t> PlaceRecognizer::WordsOf(
+    const std::shared_ptr<const FrameFeatures>& features) const {
   const StageTimes::Scope scope = MeasureStage(times_, "place words");
   const auto count = static_cast<size_t>(options_.max_features);
-  return model_->vocabulary.Quantize(LargestFeatures(features, count).descriptors);
+  return model_->vocabulary.Quantize(LargestFeatures(features, count)->descriptors);
 }
 
 std::vector<PlaceMatch> PlaceRecognizer::Match(const PlaceFrame& query,

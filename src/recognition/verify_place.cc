@@ -60,7 +60,7 @@ PairMatches MatchPlaces(const PlaceFrame& candidate, const PlaceFrame& query,
 }
 
 PlaceFrame WithLargest(PlaceFrame frame, size_t count) {
-  frame.features = std::make_shared<FrameFeatures>(LargestFeatures(*frame.features, count));
+  frame.features = LargestFeatures(frame.features, count);
   return frame;
 }
 

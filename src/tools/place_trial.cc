@@ -90,13 +90,13 @@ class TrialRunner {
     of_place_.push_back(number);
     store_.Put(image.id, image.features);
     recognizer_.Remember(EventOf(image));
-    tf_idf_.AddPlace(recognizer_.WordsOf(*image.features));
+    tf_idf_.AddPlace(recognizer_.WordsOf(image.features));
   }
 
   void Ask(const PlaceImage& image) {
     const bool goes_on = trial_options_.use_prior && last_ && last_drive_ == image.id.drive;
     const FabmapResult* last = goes_on ? &*last_ : nullptr;
-    const auto words = words_watch_.Measure([&] { return recognizer_.WordsOf(*image.features); });
+    const auto words = words_watch_.Measure([&] { return recognizer_.WordsOf(image.features); });
     PlaceProposal proposal = fabmap_watch_.Measure(
         [&] { return recognizer_.index().AskAll(words, OnlyTheBest(), last); });
     trial_.fabmap.push_back(BestOf(proposal.candidates));

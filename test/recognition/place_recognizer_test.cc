@@ -5,6 +5,7 @@
 #include <set>
 
 #include "recognition/place_frames.h"
+#include "rovio_sfm/scene/append_feature.h"
 #include "rovio_sfm/scene/memory_frame_store.h"
 
 namespace rovio_sfm {
@@ -53,13 +54,7 @@ class PlaceRecognizerTest : public testing::Test {
     auto thin = std::make_shared<FrameFeatures>();
     thin->descriptors = whole->descriptors;
     thin->descriptors.data.clear();
-    for (size_t i = 0; i < whole->keypoints.size(); i += 3) {
-      thin->keypoints.push_back(whole->keypoints[i]);
-      thin->colors.push_back(whole->colors[i]);
-      const uint8_t* row = whole->descriptors.Row(i);
-      thin->descriptors.data.insert(thin->descriptors.data.end(), row,
-                                    row + whole->descriptors.length);
-    }
+    for (size_t i = 0; i < whole->keypoints.size(); i += 3) AppendFeature(*whole, i, thin.get());
     store_.Put(id, thin);
   }
 
@@ -77,12 +72,7 @@ std::shared_ptr<const FrameFeatures> LargeAndSmall(const SyntheticRoom& large,
   features->descriptors.data.resize(100 * length);
   for (Keypoint& keypoint : features->keypoints) keypoint.size_px = 20.0f;
   const auto more = small.FeaturesOf(0);
-  const auto append = [](const auto& from, auto* to) {
-    to->insert(to->end(), from.begin(), from.end());
-  };
-  append(more->keypoints, &features->keypoints);
-  append(more->colors, &features->colors);
-  append(more->descriptors.data, &features->descriptors.data);
+  for (size_t i = 0; i < more->keypoints.size(); ++i) AppendFeature(*more, i, features.get());
   return features;
 }
 

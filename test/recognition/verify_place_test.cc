@@ -85,14 +85,18 @@ PlaceFrame WithLargeOnes(PlaceFrame frame, bool strange) {
   return frame;
 }
 
+VerifyPlaceOptions ByAHundred() {
+  VerifyPlaceOptions options;
+  options.glance_features = 100;
+  return options;
+}
+
 TEST(VerifyPlace, AGlanceThatHoldsChangesNothing) {
   const SyntheticRoom room(1);
   const PlaceFrame candidate = WithLargeOnes(room.FrameOf(kFirst, 0), false);
   const PlaceFrame query = WithLargeOnes(room.FrameOf(kSecond, 1), false);
-  VerifyPlaceOptions at_a_glance;
-  at_a_glance.glance_features = 100;
   const PlaceVerification whole = VerifyPlace(candidate, query, {}, 1);
-  const PlaceVerification glanced = VerifyPlace(candidate, query, at_a_glance, 1);
+  const PlaceVerification glanced = VerifyPlace(candidate, query, ByAHundred(), 1);
   ASSERT_EQ(glanced.refusal, PlaceRefusal::kNone);
   EXPECT_EQ(glanced.pair.inliers.size(), whole.pair.inliers.size());
   EXPECT_EQ(glanced.pair.query_from_other.rotation.coeffs(),
@@ -103,10 +107,8 @@ TEST(VerifyPlace, RefusesAtAGlanceWhatTheLargestFeaturesDoNotShare) {
   const SyntheticRoom room(1);
   const PlaceFrame candidate = WithLargeOnes(room.FrameOf(kFirst, 0), true);
   const PlaceFrame query = WithLargeOnes(room.FrameOf(kSecond, 1), false);
-  VerifyPlaceOptions at_a_glance;
-  at_a_glance.glance_features = 100;
   EXPECT_EQ(VerifyPlace(candidate, query, {}, 1).refusal, PlaceRefusal::kNone);
-  EXPECT_EQ(VerifyPlace(candidate, query, at_a_glance, 1).refusal, PlaceRefusal::kGeometry);
+  EXPECT_EQ(VerifyPlace(candidate, query, ByAHundred(), 1).refusal, PlaceRefusal::kGeometry);
 }
 
 TEST(MatchAround, GoesOnUntilTheMostAllowed) {

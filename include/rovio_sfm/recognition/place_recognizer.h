@@ -66,7 +66,7 @@ class PlaceRecognizer {
                                      const Camera& camera, const FabmapResult* last = nullptr);
 
   // What an image is asked for and remembered by: the words of its largest features.
-  std::vector<uint32_t> WordsOf(const FrameFeatures& features) const;
+  std::vector<uint32_t> WordsOf(const std::shared_ptr<const FrameFeatures>& features) const;
 
   const PlaceCounters& counters() const { return counters_; }
   const std::string& last_refusal() const { return last_refusal_; }
