@@ -14,6 +14,8 @@ namespace {
 constexpr double kChance = 7.8;              // chi-squared of three, exceeded once in 20 times
 constexpr double kAlike = 5.0;               // features of a track err alike: so many count as one
 constexpr size_t kMaxObservations = 80'000;  // tell well enough whether a camera is right
+constexpr size_t kGlance = 20'000;           // tell that a correction is out of all belief
+constexpr size_t kWorthAGlance = 60'000;     // with fewer, the glance costs more than it spares
 constexpr int kMaxIterations = 10;
 constexpr double kTolerance = 1e-6;  // little of the cost tells of a correction
 
@@ -38,10 +40,12 @@ void ScaleSigmas(double factor, BundleProblem* problem) {
   for (BundleIntrinsics& intrinsics : problem->intrinsics) intrinsics.sigma *= factor;
 }
 
-bool IsBelievable(const BundleIntrinsics& intrinsics) {
-  const Eigen::Vector3d strangeness =
-      (intrinsics.correction - intrinsics.expected).cwiseQuotient(intrinsics.sigma);
-  return strangeness.squaredNorm() <= kChance;
+bool AreBelievable(const std::vector<BundleIntrinsics>& all) {
+  return std::all_of(all.begin(), all.end(), [](const BundleIntrinsics& intrinsics) {
+    const Eigen::Vector3d strangeness =
+        (intrinsics.correction - intrinsics.expected).cwiseQuotient(intrinsics.sigma);
+    return strangeness.squaredNorm() <= kChance;
+  });
 }
 
 // Solves, and returns how much the cost fell; nothing where that is not usable.
@@ -56,9 +60,9 @@ std::optional<double> Gain(const BundleOptions& options, double variance, Bundle
   return report.initial_cost - report.final_cost;
 }
 
-// With every so-manieth point only, where there are more observations than needed.
-BundleProblem Thinned(const BundleProblem& problem) {
-  const size_t step = problem.observations.size() / kMaxObservations + 1;
+// With every so-manieth point only, where there are more observations than wanted.
+BundleProblem Thinned(const BundleProblem& problem, size_t max_observations) {
+  const size_t step = problem.observations.size() / max_observations + 1;
   if (step == 1) return problem;
   BundleProblem thinned{problem.cameras, {}, {}, problem.intrinsics};
   for (size_t i = 0; i < problem.points.size(); i += step) {
@@ -93,15 +97,22 @@ bool IsEvident(const std::optional<double>& gain, double variance) {
   return gain && 2.0 * *gain >= kChance * variance;
 }
 
+// A part of the points shows at little cost where the corrections are out of all belief, as where
+// it is not the camera that is wrong.
+bool PassesGlance(const BundleOptions& options, double variance, const BundleProblem& problem) {
+  if (problem.observations.size() < kWorthAGlance) return true;
+  BundleProblem glance = Thinned(problem, kGlance);
+  return Gain(options, variance, &glance) && AreBelievable(glance.intrinsics);
+}
+
 }  // namespace
 
 bool RefineIntrinsics(const BundleOptions& options, BundleProblem* problem) {
   if (problem->intrinsics.empty() || problem->observations.empty()) return false;
   const double variance = Variance(*problem, options.loss_sigmas);
-  if (!(variance > 0.0)) return false;
-  BundleProblem trial = Thinned(*problem);
-  if (!IsEvident(Gain(options, variance, &trial), variance) ||
-      !std::all_of(trial.intrinsics.begin(), trial.intrinsics.end(), IsBelievable)) {
+  if (!(variance > 0.0) || !PassesGlance(options, variance, *problem)) return false;
+  BundleProblem trial = Thinned(*problem, kMaxObservations);
+  if (!IsEvident(Gain(options, variance, &trial), variance) || !AreBelievable(trial.intrinsics)) {
     return false;
   }
   BundleProblem halved = Halved(trial);
