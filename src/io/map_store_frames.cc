@@ -39,7 +39,12 @@ StoredFrames::StoredFrames(StoreDatabase* database) : database_(database) {
       "FROM drive ORDER BY id");
   while (rows.Next()) {
     const DriveId id{rows.Text(1), rows.Int(2), static_cast<uint32_t>(rows.Int(3))};
-    drives_[rows.Int(0)] = {id, ReadCamera(rows, 4)};
+    const Camera camera = ReadCamera(rows, 4);
+    std::string error;  // names of robots become names of files
+    if (!IsValidRobotName(id.robot, &error) || !camera.IsValid(&error)) {
+      throw StoreError(database_->file() + ": drive " + std::to_string(rows.Int(0)) + ": " + error);
+    }
+    drives_[rows.Int(0)] = {id, camera};
     rows_[id] = rows.Int(0);
   }
 }

@@ -136,7 +136,7 @@ MergeReport ReadReport(const Blob& bytes, const DriveAt& drive_at) {
     *count = reader.Read<uint32_t>("count");
   }
   report.by_resection = reader.ReadBetween<uint8_t>("by_resection", 0, 1) == 1;
-  report.query_from_other.scale = reader.Read<double>("scale");
+  report.query_from_other.scale = reader.ReadBetween<double>("scale", 1e-9, 1e9);
   const Rigid3 pose = ReadPose(&reader);
   report.query_from_other.rotation = pose.rotation;
   report.query_from_other.translation = pose.translation;

@@ -1,6 +1,7 @@
 #include "rovio_sfm/io/map_store_sessions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "rovio_sfm/io/map_store_codec.h"
@@ -21,7 +22,16 @@ ScaleColumns ColumnsOf(const std::optional<MapScale>& scale) {
 
 std::optional<MapScale> ReadScale(const Rows& rows, int column) {
   if (rows.IsNull(column)) return std::nullopt;
-  return MapScale{rows.Double(column), rows.Double(column + 1), rows.Text(column + 2)};
+  const MapScale scale{rows.Double(column), rows.Double(column + 1), rows.Text(column + 2)};
+  if (!(scale.metres_per_unit > 0.0 && std::isfinite(scale.metres_per_unit))) {
+    throw StoreError("metres_per_unit = " + std::to_string(scale.metres_per_unit) +
+                     ": expected more than 0");
+  }
+  return scale;
+}
+
+Rigid3 ReadPoseOf(uint32_t frame, const Blob& bytes) {
+  return WithFileNamed("frame " + std::to_string(frame), [&] { return ReadPose(bytes); });
 }
 
 EpochStamps ReadStamps(const Rows& rows, int column) {
@@ -253,7 +263,7 @@ void StoredSessions::ReadKeyframes(const FrameMaker& make, SessionRecord* record
     const uint32_t index = StoredFrames::IndexOfRow(rows.Int(0));
     Keyframe frame = make.keyframe(BareEvent(record->drive, index));
     frame.weak = rows.Int(1) == 1;
-    frame.cam_from_session = ReadPose(rows.Bytes(2));
+    frame.cam_from_session = ReadPoseOf(index, rows.Bytes(2));
     frame.stamps = ReadStamps(rows, 3);
     frame.tracks = ReadTracks(rows.Bytes(5));  // none where the row is missing
     if (frame.tracks.size() != frame.points.size()) {
@@ -274,7 +284,7 @@ void StoredSessions::ReadLightFrames(const FrameMaker& make, SessionRecord* reco
     const uint32_t index = StoredFrames::IndexOfRow(rows.Int(0));
     LightFrame frame = make.light_frame(BareEvent(record->drive, index));
     frame.reference = StoredFrames::IndexOfRow(rows.Int(1));
-    frame.cam_from_reference = ReadPose(rows.Bytes(2));
+    frame.cam_from_reference = ReadPoseOf(index, rows.Bytes(2));
     frame.num_inliers = static_cast<uint32_t>(rows.Int(3));
     frame.stamps = ReadStamps(rows, 4);
     record->light_frames.emplace(index, std::move(frame));

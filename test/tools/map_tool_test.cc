@@ -29,12 +29,25 @@ TEST_F(MapTool, ChecksAndTellsAndRepairs) {
   EXPECT_TRUE(Printed("sessions  2\n")) << printed_;
   Spoil(file_, "UPDATE keyframe SET pose = x'00' WHERE session = 2");
   EXPECT_EQ(Tool({"check", file_}), 1);
-  EXPECT_TRUE(Printed("session 2: pose: cut short")) << printed_;
+  EXPECT_TRUE(Printed("session 2: frame 0: pose: cut short")) << printed_;
   EXPECT_TRUE(Printed(file_ + ": 1 faults; see map_tool repair\n")) << printed_;
   EXPECT_EQ(Tool({"repair", file_, new_}), 1);
-  EXPECT_TRUE(Printed("lost: " + file_ + ": session 2: pose: cut short")) << printed_;
+  EXPECT_TRUE(Printed("lost: " + file_ + ": session 2: frame 0: pose: cut short")) << printed_;
   EXPECT_TRUE(Printed("copied 24 frames, 1 sessions and 1 overlaps\nwrote " + new_ + "\n"));
   EXPECT_EQ(Tool({"check", new_}), 0) << printed_;
+}
+
+// Robots name files and folders of what is exported.
+TEST_F(MapTool, RefusesARobotThatLeadsElsewhere) {
+  KeepTwoDrives(file_, false);
+  Spoil(file_, "UPDATE drive SET robot = '../../elsewhere' WHERE id = 2");
+  const std::string fault = "drive 2: robot '../../elsewhere': expected";
+  EXPECT_EQ(Tool({"check", file_}), 1);
+  EXPECT_TRUE(Printed(fault)) << printed_;
+  const std::string out = folder_.Path() / "out" / "deeper";
+  const std::string error = MessageOf([&] { Tool({"export", file_, "--out", out}); });
+  EXPECT_NE(error.find(fault), std::string::npos) << error;
+  EXPECT_FALSE(std::filesystem::exists(folder_.Path() / "elsewhere"));
 }
 
 TEST_F(MapTool, ExportsTheLargestMapOrOneThatIsNamed) {

@@ -55,9 +55,26 @@ TEST_F(StoreContents, FaultsAreNamedEachByItself) {
       "INSERT INTO image (frame, jpeg) VALUES (5, x'00')");
   for (const char* expected :
        {"stray row of: image\n", "/3: ", "tracks: 1 bytes too many", "pair.verdict = 7",
-        "session 1: tracks: 1 bytes too many", "session 2: pose: cut short"}) {
+        "session 1: tracks: 1 bytes too many", "session 2: frame 0: pose: cut short"}) {
     EXPECT_NE(faults.find(expected), std::string::npos) << expected << " in\n" << faults;
   }
+}
+
+// What no map can hold, though it reads.
+TEST_F(StoreContents, FaultsAreNumbersThatNoPoseHas) {
+  const std::string no_turn = "000000000000000000000000000000000000000000000000000000000000F03F";
+  const std::string nan = "000000000000F87F", huge = "9C7500883CE4377E", zero = "0000000000000000";
+  const auto spoilt = [&](const std::string& pose) {
+    return FaultsAfter("UPDATE keyframe SET pose = x'" + pose + "' WHERE session = 2");
+  };
+  for (const std::string& number : {nan, huge}) {
+    const std::string faults = spoilt(no_turn + zero + number + zero);
+    EXPECT_NE(faults.find("session 2: frame 0: pose: translation = "), std::string::npos) << faults;
+  }
+  const std::string faults = spoilt(zero + zero + zero + zero + zero + zero + zero);
+  EXPECT_NE(faults.find("frame 0: pose: rotation: a quaternion of length 0"), std::string::npos)
+      << faults;
+  EXPECT_EQ(spoilt(no_turn + zero + zero + zero), "");
 }
 
 TEST_F(StoreContents, ArePrunedOfWhatWasChosen) {

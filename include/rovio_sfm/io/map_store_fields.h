@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "rovio_sfm/geometry/rigid3.h"
@@ -19,7 +21,9 @@ namespace rovio_sfm {
 using DriveRowOf = std::function<int64_t(const DriveId&)>;
 using DriveAt = std::function<DriveId(int64_t)>;
 
-constexpr uint32_t kMaxCount = 1u << 28;  // of anything that a column lists
+constexpr uint32_t kMaxCount = 1u << 28;     // of anything that a column lists
+constexpr double kMaxCoordinate = 1e9;       // no map is so large
+constexpr double kMaxRotationExcess = 1e-3;  // of a quaternion's length over 1
 
 inline FieldReader ReaderOf(const Blob& bytes, const char* column) {
   return FieldReader(static_cast<const uint8_t*>(bytes.data), bytes.size, column);
@@ -33,7 +37,9 @@ void WriteVector(const Eigen::Matrix<double, N, 1>& values, FieldWriter* writer)
 template <int N>
 Eigen::Matrix<double, N, 1> ReadVector(const char* field, FieldReader* reader) {
   Eigen::Matrix<double, N, 1> values;
-  for (double& value : values) value = reader->Read<double>(field);
+  for (double& value : values) {
+    value = reader->ReadBetween<double>(field, -kMaxCoordinate, kMaxCoordinate);
+  }
   return values;
 }
 
@@ -45,6 +51,10 @@ inline void WritePose(const Rigid3& pose, FieldWriter* writer) {
 inline Rigid3 ReadPose(FieldReader* reader) {
   Rigid3 pose;
   pose.rotation.coeffs() = ReadVector<4>("rotation", reader);
+  const double length = pose.rotation.norm();
+  if (std::abs(length - 1.0) > kMaxRotationExcess) {
+    reader->Fail("rotation: a quaternion of length " + std::to_string(length) + ": expected 1");
+  }
   pose.translation = ReadVector<3>("translation", reader);
   return pose;
 }
