@@ -28,16 +28,21 @@ def read_cloud(path):
     return numpy.frombuffer(body, VERTEX), unit
 
 
+def read_poses(path):
+    return {line for line in open(path) if not line.startswith("#")}
+
+
 def read_centers(path):
     return numpy.loadtxt(path, ndmin=2)[:, 1:4] if open(path).read().strip() else numpy.zeros((0, 3))
 
 
 def read_paths(trajectory):
-    """{drive: camera centres}; one without a name where the map has but one drive."""
-    whole = read_centers(trajectory)
-    parts = {path.stem.split("_", 1)[1]: read_centers(path)
-             for path in sorted(pathlib.Path(trajectory).parent.glob("trajectory_*.txt"))}
-    return parts if sum(map(len, parts.values())) == len(whole) else {"": whole}
+    """{drive: camera centres}; one without a name where the map has but one drive, or where the files of drives
+    beside it are another map's: where they lack a pose of it."""
+    files = sorted(pathlib.Path(trajectory).parent.glob("trajectory_*.txt"))
+    if not files or read_poses(trajectory) - set.union(*map(read_poses, files)):
+        return {"": read_centers(trajectory)}
+    return {path.stem.split("_", 1)[1]: read_centers(path) for path in files}
 
 
 def limits(path_axis, cloud_axis):

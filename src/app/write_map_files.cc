@@ -149,12 +149,18 @@ WrittenFiles WriteFiles(const std::vector<NamedFile>& files, const fs::path& fol
 
 std::string MapTrajectoryText(const LevelMap& map) {
   std::map<int64_t, StampedPose> poses;  // the first drive's where several have a stamp
-  for (const PosedImage& image : PosedImages(map)) {
+  const std::vector<PosedImage> images = PosedImages(map);
+  for (const PosedImage& image : images) {
     poses.emplace(image.level_from_camera.stamp_ns, image.level_from_camera);
   }
   std::vector<StampedPose> rising;
   for (const auto& [stamp_ns, pose] : poses) rising.push_back(pose);
-  return TrajectoryText(rising);
+  std::string note;
+  if (const size_t num_left = images.size() - rising.size()) {
+    note = "# not here, but in trajectory_<drive>.txt: " + std::to_string(num_left) +
+           " poses of other drives at the stamps of these\n";
+  }
+  return note + TrajectoryText(rising);
 }
 
 std::string MapCloudBytes(const LevelMap& map) { return PlyBytes(LevelCloud(map), UnitOf(map)); }

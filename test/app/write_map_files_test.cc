@@ -41,6 +41,8 @@ TEST(MapTrajectoryText, HoldsEachStampOnce) {
   const TemporaryFolder folder;
   folder.Write("all.txt", MapTrajectoryText(SmallMap(2)));  // both have the same three stamps
   EXPECT_EQ(ReadTrajectory(folder.Path() / "all.txt").size(), 3u);
+  EXPECT_NE(MapTrajectoryText(SmallMap(2)).find("3 poses of other drives"), std::string::npos);
+  EXPECT_EQ(MapTrajectoryText(SmallMap(1)).find("other drives"), std::string::npos);
 }
 
 TEST(WriteMapFiles, WritesEachOfARobotsDrivesByItself) {

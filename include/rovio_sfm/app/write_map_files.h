@@ -15,7 +15,8 @@
 namespace rovio_sfm {
 
 // A TUM trajectory of a map by rising stamp. Where images of several drives have one stamp, which
-// no tool could tell apart, only the first drive's is in it; the files of the drives hold all.
+// no tool could tell apart, only the first drive's is in it, which it says; the files of the drives
+// hold all.
 std::string MapTrajectoryText(const LevelMap& map);
 
 // A PLY of the landmarks that count.
