@@ -1,7 +1,7 @@
 # The rooms, bottom to top: each is a library that may include what it links, and nothing else.
 set(OPENCV ${OpenCV_LIBS})
 
-rovio_library(util LINKS Threads::Threads Eigen3::Eigen PkgConfig::OPENBLAS PkgConfig::YAMLCPP JPEG::JPEG)
+rovio_library(util LINKS Threads::Threads Eigen3::Eigen PkgConfig::OPENBLAS PkgConfig::YAMLCPP JPEG::JPEG ZLIB::ZLIB)
 # Its loops over bytes are vectorised from O3 on.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/util/byte_products.cc PROPERTIES
                             COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
@@ -27,7 +27,7 @@ rovio_library(features LINKS rovio_scene ${OPENCV} PkgConfig::DLIB TEST_LINKS ro
 rovio_library(matching LINKS rovio_scene ${OPENCV} TEST_LINKS rovio_synthetic rovio_features)
 rovio_library(tracks   LINKS rovio_scene TEST_LINKS rovio_synthetic)
 rovio_library(sfm      LINKS rovio_scene ceres ${OPENCV} TEST_LINKS rovio_synthetic)
-rovio_library(places   LINKS rovio_scene ZLIB::ZLIB TEST_LINKS rovio_synthetic)
+rovio_library(places   LINKS rovio_scene TEST_LINKS rovio_synthetic)
 rovio_library(sessions LINKS rovio_scene ceres TEST_LINKS rovio_synthetic)
 rovio_library(dense    LINKS rovio_scene ${OPENCV} TEST_LINKS rovio_synthetic)
 rovio_library(surface  LINKS rovio_scene PkgConfig::PCL TEST_LINKS rovio_synthetic)

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <sstream>
 #include <stdexcept>
 
 #include "rovio_sfm/app/load_options.h"
@@ -21,6 +22,16 @@ void LoadFile(const std::string& path, Options* options) {
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
+}
+
+// Why no image was posed in the map, by figures.
+std::string WhyNowhere(const PlaceCounters& places) {
+  std::ostringstream why;
+  why << "nowhere: of " << places.queries << " images looked up " << places.matched_queries
+      << " match a place of the map and " << places.low_score << " resemble none; of "
+      << places.candidates << " places proposed " << places.refused_geometry + places.refused_spread
+      << " show another arrangement of points";
+  return why.str();
 }
 
 void DeclareOptionFiles(CLI::App* app, MappingArguments* arguments) {
@@ -116,12 +127,16 @@ void TellStore(const StoreFolder* store, std::ostream& out) {
 }
 
 int WriteLocalized(const OfflineMapper& mapper, const MapSnapshot& snapshot,
-                   const MappingArguments& arguments, std::ostream& out) {
+                   const ReasonCounts& left_out, const MappingArguments& arguments,
+                   std::ostream& out) {
   const std::filesystem::path path = std::filesystem::path(arguments.out) / "localized.txt";
   WriteFile(path, LocalizedText(snapshot, mapper.localizations()), Overwrite::kAllow);
   out << mapper.localizations().size() << " of " << mapper.frontend_counters().images
       << " images posed in the map\nwrote " << std::filesystem::absolute(path).string() << "\n";
-  return mapper.localizations().empty() ? kNothingPosed : 0;
+  if (!left_out.empty()) out << "left out:\n" << ReasonTable(left_out);
+  if (!mapper.localizations().empty()) return 0;
+  out << WhyNowhere(mapper.place_counters()) << "\n";
+  return kNothingPosed;
 }
 
 Overwrite MayReplaceResults(const MappingArguments& arguments) {

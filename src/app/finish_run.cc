@@ -10,6 +10,7 @@
 #include "rovio_sfm/app/output_folder.h"
 #include "rovio_sfm/app/wait_for_end.h"
 #include "rovio_sfm/app/write_maps.h"
+#include "rovio_sfm/util/peak_memory.h"
 #include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
@@ -27,6 +28,7 @@ Path SummaryPath(const MappingArguments& arguments) { return Path(arguments.out)
 // What the mapper knows; its threads rest.
 void Complete(const RunToFinish& finish, MapRun* run) {
   const OfflineMapper& mapper = *finish.mapper;
+  run->drives = mapper.drives();
   run->frontend = mapper.frontend_counters();
   run->funnel = mapper.matching_funnel();
   run->mapper = mapper.mapper_counters();
@@ -38,7 +40,7 @@ void Complete(const RunToFinish& finish, MapRun* run) {
   AddReasons(mapper.reasons(), &run->left_out);
   run->stages = finish.times->totals();
   run->wall_s = 1e-9 * static_cast<double>(SteadyNs() - finish.start_ns);
-  run->peak_rss_mb = PeakRssMb();
+  run->peak_rss_mb = PeakMemoryMb();
 }
 
 PageNotes NotesOf(const MapRun& run) {
@@ -164,7 +166,9 @@ int FinishRun(RunToFinish finish, const Json& header, std::ostream& out) {
   finish.run.stopped = IsStopRequested();
   finish.run.snapshot = finish.mapper->Drain();
   if (finish.arguments->mapper.localize) {
-    return WriteLocalized(*finish.mapper, *finish.run.snapshot, *finish.arguments, out);
+    AddReasons(finish.mapper->reasons(), &finish.run.left_out);
+    return WriteLocalized(*finish.mapper, *finish.run.snapshot, finish.run.left_out,
+                          *finish.arguments, out);
   }
   MapRun first = finish.run;
   Complete(finish, &first);

@@ -1,7 +1,5 @@
 #include "rovio_sfm/app/map_summary.h"
 
-#include <sys/resource.h>
-
 #include <cmath>
 #include <iomanip>
 #include <nlohmann/json.hpp>
@@ -20,19 +18,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Null: the drive is an earlier run's.
+const DriveInput* InputOf(const MapRun& run, const DriveId& drive) {
+  const auto it = run.drives.find(drive);
+  return it == run.drives.end() ? nullptr : &run.inputs[it->second];
+}
+
 std::optional<EvaluationReport> Evaluate(const LevelMap& map, const MapRun& run,
                                          bool only_keyframes) {
-  std::map<std::string, DriveEvaluation> drives;
+  std::map<const DriveInput*, DriveEvaluation> drives;
   for (const PosedImage& image : PosedImages(map)) {
     if (only_keyframes && image.kind != FrameKind::kKeyframe) continue;
-    const auto truth = run.ground_truth.find(image.id.drive.robot);
-    if (truth == run.ground_truth.end()) continue;
-    DriveEvaluation& drive = drives[image.id.drive.robot];
-    drive.ground_truth = truth->second;
+    const DriveInput* input = InputOf(run, image.id.drive);
+    if (input == nullptr || input->ground_truth.empty()) continue;
+    DriveEvaluation& drive = drives[input];
+    drive.ground_truth = input->ground_truth;
     drive.estimate.push_back(image.level_from_camera);
   }
   std::vector<DriveEvaluation> list;
-  for (const auto& [robot, drive] : drives) list.push_back(drive);
+  for (const auto& [input, drive] : drives) list.push_back(drive);
   return EvaluateTrajectories(list);
 }
 
@@ -45,19 +49,20 @@ void AddFrames(const MapRun& run, Json* json) {
 
 // The images that have a pose of their own in no map, by robot.
 Json ImagesWithoutPose(const MapRun& run) {
-  std::map<std::string, std::set<std::string>> posed;
+  std::map<const DriveInput*, std::set<std::string>> posed;
   for (const SessionSnapshot& session : run.snapshot->sessions) {
     for (const auto& block : session.frames) {
       for (const FrameSnapshot& frame : *block) {
-        if (!frame.weak) posed[session.drive.robot].insert(frame.image_name);
+        if (!frame.weak) posed[InputOf(run, session.drive)].insert(frame.image_name);
       }
     }
   }
   Json without = Json::object();
-  for (const auto& [robot, names] : run.image_names) {
-    without[robot] = Json::array();
-    for (const std::string& name : names) {
-      if (posed[robot].count(name) == 0) without[robot].push_back(name);
+  for (const DriveInput& input : run.inputs) {
+    if (input.image_names.empty()) continue;
+    Json& names = without[input.robot] = Json::array();
+    for (const std::string& name : input.image_names) {
+      if (posed[&input].count(name) == 0) names.push_back(name);
     }
   }
   return without;
@@ -129,7 +134,9 @@ void AddScale(const std::optional<LevelMap>& map, const std::optional<Evaluation
 
 // How much later odometry is stamped than images, where turns tell.
 void AddOdometryDelay(const std::optional<LevelMap>& map, const MapRun& run, Json* json) {
-  const auto delay = map ? MeasureOdometryDelay(*map, run.odometry) : std::nullopt;
+  std::map<DriveId, YawByStamp> yaws;
+  for (const auto& [drive, input] : run.drives) yaws[drive] = run.inputs[input].odometry;
+  const auto delay = map ? MeasureOdometryDelay(*map, yaws) : std::nullopt;
   (*json)["odometry_delay_s"] = delay ? Json(delay->delay_s) : Json();
   (*json)["odometry_delay_sigma_s"] = delay ? Json(delay->sigma_s) : Json();
 }
@@ -282,12 +289,6 @@ Json DensifyJson(const DensifyCounts& counts) {
           {"barren_tracks", counts.num_barren_tracks},
           {"removed_by_reprojection", counts.num_removed_points},
           {"removed_by_depth", counts.num_inconsistent_depths}};
-}
-
-double PeakRssMb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
 }  // namespace rovio_sfm

@@ -71,7 +71,7 @@ MapperReport Mapper::Add(const FrameEvent& event) {
   const SessionId started = StartedSession(*drive);
   MapperReport report = drive->Add(event);
   if (report.outcome == MapperOutcome::kHeld) TrySeed(event.id.drive);
-  if (!(StartedSession(*drive) == started)) MatchWithLost(StartedSession(*drive));
+  if (!(StartedSession(*drive) == started)) MatchWithLast(StartedSession(*drive));
   if (report.outcome == MapperOutcome::kHeld || report.outcome == MapperOutcome::kKeyframe) {
     const auto scope = MeasureStage(context_.times, "merge");
     keeper_.Advance();
@@ -140,8 +140,9 @@ SessionId Mapper::StartedSession(const DriveMapper& drive) const {
   return keeper_.sessions().Find(session)->keyframes().empty() ? SessionId{} : session;
 }
 
-// A session that begins where the one before was lost overlaps with it by the frontend's matches.
-void Mapper::MatchWithLost(SessionId session) {
+// A session that begins where the one before was lost, or ended by an orderly end of the program,
+// overlaps with it by the frontend's matches.
+void Mapper::MatchWithLast(SessionId session) {
   const Session* after = keeper_.sessions().Find(session);
   if (after == nullptr) return;
   const Session* before = nullptr;
@@ -149,7 +150,7 @@ void Mapper::MatchWithLost(SessionId session) {
     const bool precedes = id < session && other->drive() == after->drive();
     if (precedes && !other->keyframes().empty()) before = other.get();
   }
-  if (before == nullptr || before->state() != SessionState::kLost) return;
+  if (before == nullptr) return;
   for (const PlaceMatch& match : MatchAcrossBreak(*before, *after)) Add(match);
 }
 
@@ -159,7 +160,7 @@ void Mapper::FinishDrive(const DriveId& id) {
   const SessionId started = StartedSession(drive);
   TrySeed(id);
   drive.Finish();
-  if (!(StartedSession(drive) == started)) MatchWithLost(StartedSession(drive));
+  if (!(StartedSession(drive) == started)) MatchWithLast(StartedSession(drive));
 }
 
 bool Mapper::FinishSession(const DriveId& drive) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "rovio_sfm/app/wait_for_end.h"
+#include "rovio_sfm/util/checksum.h"
 
 namespace rovio_sfm {
 namespace {
@@ -78,6 +79,9 @@ FrameStore* OfflineMapper::ChooseStore() {
 void OfflineMapper::Resume() {
   mapper_.Restore(kept_);
   kept_before_ = mapper_.NextIndices();
+  for (const auto& [id, session] : mapper_.maps().sessions().all()) {
+    if (!session->keyframes().empty()) newest_sessions_[session->drive()] = id;
+  }
   if (!recognizer_) return;
   for (const auto& [drive, next_index] : kept_before_) {
     for (const uint32_t index : kept_->frames().ReadIndices(drive)) {
@@ -85,23 +89,40 @@ void OfflineMapper::Resume() {
       if (event) recognizer_->Add(*event);
     }
   }
+  recognizer_->ResetCounters();
 }
 
-// The nonces of a run count its drives: by robot and start a drive of an earlier run is known.
-DriveId OfflineMapper::KeptName(const DriveId& drive) const {
-  for (const auto& [kept, next_index] : kept_before_) {
-    if (kept.robot == drive.robot && kept.start_ns == drive.start_ns) return kept;
+// What is only localised is never a drive of the maps, though it began with the same picture. Of
+// what is mapped, folders are named by their place in the command, which may be another today. The
+// same pictures given twice are two drives.
+DriveId OfflineMapper::NameOf(const DriveId& drive) const {
+  DriveId name = drive;
+  if (!localizer_ && kept_before_.count(drive) == 0) {
+    for (const auto& [kept, next_index] : kept_before_) {
+      const bool is_same = kept.start_ns == drive.start_ns && kept.nonce == drive.nonce;
+      if (is_same && start_of_drive_.count(kept) == 0) name = kept;
+    }
   }
-  return drive;
+  const auto is_taken = [&] {
+    return start_of_drive_.count(name) > 0 || (localizer_ && kept_before_.count(name) > 0);
+  };
+  while (is_taken()) ++name.nonce;
+  return name;
 }
 
 void OfflineMapper::StartDrive(const std::string& robot) {
   FinishDrive();
-  frontend_.emplace(options_.frontend, robot, options_.seed, next_nonce_++, times_);
+  robot_ = robot;
+  names_.clear();
+  ++num_starts_;
 }
 
 void OfflineMapper::Add(ImageEvent image) {
-  ROVIO_CHECK(frontend_.has_value(), "StartDrive comes before Add");
+  ROVIO_CHECK(num_starts_ > 0, "StartDrive comes before Add");
+  if (!frontend_) {
+    const uint32_t nonce = Checksum(image.encoded->data(), image.encoded->size());
+    frontend_.emplace(options_.frontend, robot_, options_.seed, nonce, times_);
+  }
   const size_t max_ahead = kPreparedPerThread * static_cast<size_t>(options_.num_threads - 1);
   prepared_.Add([image = std::move(image), &options = options_.frontend, times = times_] {
     const auto scope = MeasureStage(times, "prepare");
@@ -118,7 +139,10 @@ void OfflineMapper::TakeOldest() {
     CountReason(frontend_->last_refusal(), &dropped_);
   }
   if (!event) return;
-  event->id.drive = KeptName(event->id.drive);
+  const auto [name, is_new] = names_.try_emplace(event->id.drive);
+  if (is_new) name->second = NameOf(event->id.drive);
+  event->id.drive = name->second;
+  start_of_drive_.emplace(event->id.drive, num_starts_ - 1);
   AddToFunnel(*event, &funnel_);
   CountMotion(*event, &motion_);
   if (mapping_) {
@@ -136,8 +160,7 @@ void OfflineMapper::Map(const FrameEvent& event) {
     return;
   }
   if (localizer_) return Localize(event);
-  const auto kept = kept_before_.find(event.id.drive);
-  if (kept != kept_before_.end() && event.id.index < kept->second) return;
+  if (IsKept(event)) return;
   const MapperReport report = mapper_.Add(event);
   landmarks_.created += report.growth.num_created;
   landmarks_.united += report.growth.num_united;
@@ -155,6 +178,20 @@ void OfflineMapper::Map(const FrameEvent& event) {
   if (kept_ == nullptr || kept_->num_uncommitted() < kFramesPerCommit) return;
   const auto scope = MeasureStage(times_, "store");
   mapper_.SaveTo(kept_);
+}
+
+// Whether the store has the frame. By other options a drive may have been given other pictures.
+bool OfflineMapper::IsKept(const FrameEvent& event) {
+  const auto kept = kept_before_.find(event.id.drive);
+  if (kept == kept_before_.end() || event.id.index >= kept->second) return false;
+  const auto there = kept_->frames().ReadEvent(event.id, EventParts::kBare);
+  if (there && there->stamp_ns != event.stamp_ns) {
+    CountReason(
+        "frame: the map holds another picture of its drive under its number; stride and "
+        "mode must be those of the run before",
+        &refused_);
+  }
+  return true;
 }
 
 // Frames between sessions, and those that tracking dropped, once all that may show their places is

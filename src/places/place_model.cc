@@ -1,13 +1,12 @@
 #include "rovio_sfm/places/place_model.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "rovio_sfm/util/binary_fields.h"
 #include "rovio_sfm/util/check_options.h"
+#include "rovio_sfm/util/checksum.h"
 
 namespace rovio_sfm {
 namespace {
@@ -15,10 +14,6 @@ namespace {
 constexpr std::array<char, 8> kMagic = {'R', 'O', 'V', 'I', 'O', 'P', 'L', 'C'};
 constexpr uint32_t kMaxWords = 1u << 16, kMaxLength = 512, kMaxBags = 1u << 16;
 constexpr uint32_t kMaxProvenance = 4096;
-
-uint32_t Checksum(const uint8_t* data, size_t size) {
-  return static_cast<uint32_t>(crc32_z(crc32_z(0, nullptr, 0), data, size));
-}
 
 void WriteTree(const ChowLiuTree& tree, FieldWriter* writer) {
   for (const ChowLiuNode& node : tree) {

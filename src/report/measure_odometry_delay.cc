@@ -55,10 +55,10 @@ void UpdateOdometryDelay(Session* session) {
 }
 
 std::optional<OdometryDelay> MeasureOdometryDelay(const LevelMap& map,
-                                                  const std::map<std::string, YawByStamp>& yaws) {
+                                                  const std::map<DriveId, YawByStamp>& yaws) {
   std::optional<OdometryDelay> best;
   for (const SessionSnapshot& session : map.sessions) {
-    const auto drive = yaws.find(session.drive.robot);
+    const auto drive = yaws.find(session.drive);
     if (drive == yaws.end()) continue;
     const auto delay = EstimateOdometryDelay(SamplesOf(session, drive->second));
     if (delay && (!best || delay->sigma_s < best->sigma_s)) best = delay;

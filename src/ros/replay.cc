@@ -87,10 +87,11 @@ std::vector<BagDrive> CheckDrives(const Arguments& arguments, size_t* num_images
 
 void MapDrive(const BagDrive& drive, const Arguments& arguments, OfflineMapper* mapper, MapRun* run,
               std::ostream& out, std::ostream& progress) {
+  mapper->StartDrive(drive.robot);
+  run->inputs.emplace_back().robot = drive.robot;
   BagImages images(drive, arguments.sensors, arguments.camera);
   ProgressBar bar(images.Count(), &progress);
   const double start_s = SteadySeconds();
-  mapper->StartDrive(drive.robot);
   size_t num_done = 0;
   while (!IsStopRequested()) {
     std::optional<ImageEvent> image = images.Next();
@@ -142,7 +143,8 @@ int MapBags(const std::vector<BagDrive>& drives, size_t num_images, const Argume
   MapDrives(drives, arguments, &mapper, &finish.run, out, progress);
   BagPictures pictures(drives, arguments.sensors, arguments.camera);
   finish.pictures = [&](const ModelImage& image) {
-    return pictures.Find(image.id.drive.robot, image.stamp_ns);
+    const auto drive = mapper.drives().find(image.id.drive);
+    return drive == mapper.drives().end() ? nullptr : pictures.Find(drive->second, image.stamp_ns);
   };
   finish.arguments = &arguments;
   finish.mapper = &mapper;

@@ -63,17 +63,26 @@ YawByStamp YawsOf(const DatasetFolder& dataset) {
   return yaws;
 }
 
+DriveInput InputOf(const DatasetFolder& dataset, const std::string& robot, bool with_odometry) {
+  DriveInput input;
+  input.robot = robot;
+  for (const DatasetImage& image : dataset.images) input.image_names.push_back(image.name);
+  input.ground_truth = dataset.ground_truth;
+  if (with_odometry) input.odometry = YawsOf(dataset);
+  return input;
+}
+
 std::string RobotOf(size_t folder) { return "folder_" + std::to_string(folder); }
 
 // The picture of a frame: the file of its folder with the same stamp.
 std::shared_ptr<const std::vector<uint8_t>> FindPicture(const std::vector<DatasetFolder>& datasets,
+                                                        const OfflineMapper& mapper,
                                                         const ModelImage& wanted) {
-  for (size_t i = 0; i < datasets.size(); ++i) {
-    if (RobotOf(i) != wanted.id.drive.robot) continue;
-    for (const DatasetImage& image : datasets[i].images) {
-      if (image.stamp_ns != wanted.stamp_ns) continue;
-      return std::make_shared<const std::vector<uint8_t>>(ReadBytes(image.path, kMaxImageBytes));
-    }
+  const auto folder = mapper.drives().find(wanted.id.drive);
+  if (folder == mapper.drives().end()) return nullptr;  // of an earlier run
+  for (const DatasetImage& image : datasets[folder->second].images) {
+    if (image.stamp_ns != wanted.stamp_ns) continue;
+    return std::make_shared<const std::vector<uint8_t>>(ReadBytes(image.path, kMaxImageBytes));
   }
   return nullptr;
 }
@@ -104,13 +113,9 @@ MapRun MapFolders(const std::vector<DatasetFolder>& datasets, const Arguments& a
   MapRun run;
   run.num_images = CountImages(datasets);
   for (size_t i = 0; i < datasets.size() && !IsStopRequested(); ++i) {
-    const std::string robot = RobotOf(i);
-    mapper->StartDrive(robot);
-    for (const DatasetImage& image : datasets[i].images)
-      run.image_names[robot].push_back(image.name);
+    run.inputs.push_back(InputOf(datasets[i], RobotOf(i), !arguments.without_odometry));
+    mapper->StartDrive(run.inputs.back().robot);
     MapFolder(datasets[i], !arguments.without_odometry, mapper, &run.left_out);
-    if (!arguments.without_odometry) run.odometry[robot] = YawsOf(datasets[i]);
-    if (!datasets[i].ground_truth.empty()) run.ground_truth[robot] = datasets[i].ground_truth;
   }
   return run;
 }
@@ -135,7 +140,7 @@ int MapAll(const std::vector<DatasetFolder>& datasets, const Arguments& argument
   OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), &times,
                        store ? &store->store() : nullptr);
   finish.run = MapFolders(datasets, arguments, &mapper);
-  finish.pictures = [&](const ModelImage& image) { return FindPicture(datasets, image); };
+  finish.pictures = [&](const ModelImage& image) { return FindPicture(datasets, mapper, image); };
   finish.arguments = &arguments;
   finish.mapper = &mapper;
   finish.times = &times;

@@ -4,10 +4,13 @@
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <set>
 
+#include "rovio_sfm/io/map_store.h"
 #include "rovio_sfm/report/level_map.h"
 #include "rovio_sfm/util/check_options.h"
 #include "rovio_sfm/util/rng.h"
+#include "util/temporary_folder.h"
 
 namespace rovio_sfm {
 namespace {
@@ -26,8 +29,8 @@ cv::Mat Wall(int width, uint64_t seed) {
   return wall;
 }
 
-std::vector<ImageEvent> SmallDrive() {
-  const cv::Mat far_wall = Wall(500, 1), near_wall = Wall(700, 2);
+std::vector<ImageEvent> SmallDrive(uint64_t seed = 1) {
+  const cv::Mat far_wall = Wall(500, seed), near_wall = Wall(700, seed + 1);
   std::vector<ImageEvent> images;
   for (int i = 0; i < kNumImages; ++i) {
     cv::Mat image(200, 280, CV_8UC3);
@@ -78,6 +81,89 @@ TEST(OfflineMapper, CountsWhatBecameOfTheImages) {
   EXPECT_TRUE(mapper.Finish()->sessions.empty());
   EXPECT_EQ(mapper.frontend_counters().images, 1u);
   EXPECT_EQ(mapper.frontend_counters().refused, 1u);
+}
+
+// Runs that go on with one store, as --resume does.
+class OfflineMapperResume : public testing::Test {
+ protected:
+  // Images of one folder of a run; gives the ids of its drives.
+  std::map<DriveId, size_t> Run(const std::vector<std::vector<ImageEvent>>& folders,
+                                bool localize = false) {
+    OfflineMapperOptions options;
+    options.frontend.extract.max_features = 300;
+    options.localize = localize;
+    MapStore store(folder_.Path() / "map.db", StoreAccess::kCreate);
+    OfflineMapper mapper(options, nullptr, nullptr, &store);
+    for (size_t i = 0; i < folders.size(); ++i) {
+      mapper.StartDrive("folder_" + std::to_string(i));
+      for (const ImageEvent& image : folders[i]) mapper.Add(image);
+    }
+    num_posed_ = 0;
+    maps_.clear();
+    const auto snapshot = mapper.Finish();
+    for (const SessionSnapshot& session : snapshot->sessions) {
+      for (const auto& block : session.frames) num_posed_ += block->size();
+      if (!session.frames.empty()) maps_.insert(session.map);
+    }
+    reasons_ = mapper.reasons();
+    return mapper.drives();
+  }
+
+  std::vector<DriveId> Drives() {
+    std::vector<DriveId> ids;
+    MapStore store(folder_.Path() / "map.db", StoreAccess::kRead);
+    for (const DriveRecord& drive : store.frames().ReadDrives()) ids.push_back(drive.id);
+    return ids;
+  }
+
+  TemporaryFolder folder_;
+  size_t num_posed_ = 0;
+  std::set<MapId> maps_;  // with a pose
+  ReasonCounts reasons_;
+};
+
+TEST_F(OfflineMapperResume, MapsOtherPicturesOfTheSameTimesAsAnotherDrive) {
+  const auto first = Run({SmallDrive(1)}), second = Run({SmallDrive(5)});
+  EXPECT_EQ(num_posed_, 2u * kNumImages);
+  EXPECT_NE(first.begin()->first, second.begin()->first);
+  EXPECT_EQ(Drives().size(), 2u);
+}
+
+TEST_F(OfflineMapperResume, KnowsAFolderInAnotherPlaceOfTheCommand) {
+  const auto before = Run({SmallDrive(1), SmallDrive(5)});
+  const auto again = Run({SmallDrive(5), SmallDrive(1), SmallDrive(1)});
+  EXPECT_EQ(Drives().size(), 3u) << "the third is given twice, and so a drive of its own";
+  EXPECT_EQ(num_posed_, 3u * kNumImages);
+  for (const auto& [drive, place] : before) EXPECT_EQ(again.at(drive), 1 - place);
+}
+
+TEST_F(OfflineMapperResume, GoesOnAfterTheEnd) {
+  std::vector<ImageEvent> images = SmallDrive();
+  images.resize(kNumImages / 2);
+  Run({images});
+  EXPECT_EQ(num_posed_, kNumImages / 2u);
+  Run({SmallDrive()});
+  EXPECT_EQ(num_posed_, static_cast<size_t>(kNumImages));
+  EXPECT_EQ(Drives().size(), 1u);
+  EXPECT_EQ(maps_.size(), 1u);
+  EXPECT_TRUE(reasons_.empty());
+}
+
+TEST_F(OfflineMapperResume, TellsPicturesThatTheMapDoesNotHoldThere) {
+  Run({SmallDrive()});
+  std::vector<ImageEvent> every_other;
+  for (size_t i = 0; i < kNumImages; i += 2) every_other.push_back(SmallDrive()[i]);
+  Run({every_other});
+  ASSERT_EQ(reasons_.size(), 1u);
+  EXPECT_NE(reasons_.begin()->first.find("stride"), std::string::npos);
+  EXPECT_EQ(reasons_.begin()->second, kNumImages / 2 - 1u);
+}
+
+TEST_F(OfflineMapperResume, WhatIsLocalisedIsNoDriveOfTheMap) {
+  const auto mapped = Run({SmallDrive()});
+  const auto localised = Run({SmallDrive()}, true);
+  EXPECT_EQ(localised.count(mapped.begin()->first), 0u);
+  EXPECT_EQ(Drives().size(), 1u);
 }
 
 TEST(OfflineMapperOptions, NamesTheBadOption) {

@@ -73,10 +73,12 @@ TEST(MeasureOdometryDelay, FindsItInAMapByTheStampsOfItsImages) {
   YawByStamp yaws;
   for (uint32_t i = 0; i < kNumFrames; ++i) yaws[Stamp(i)] = DelayedYaw(i);
   const LevelMap map = MapOf(TurningSession(false));
-  const auto delay = MeasureOdometryDelay(map, {{"rovio1", yaws}});
+  DriveId drive = map.sessions[0].drive;
+  const auto delay = MeasureOdometryDelay(map, {{drive, yaws}});
   ASSERT_TRUE(delay.has_value());
   EXPECT_NEAR(delay->delay_s, kDelayS, 0.01);
-  EXPECT_FALSE(MeasureOdometryDelay(map, {{"rovio2", yaws}}).has_value());
+  ++drive.nonce;
+  EXPECT_FALSE(MeasureOdometryDelay(map, {{drive, yaws}}).has_value());
 }
 
 }  // namespace

@@ -50,10 +50,11 @@ void CompleteMappingArguments(MappingArguments* arguments);
 std::unique_ptr<StoreFolder> OpenResultStore(const MappingArguments& arguments);
 // That of a command that ends, for people; a warning where it could not be written to the end.
 void TellStore(const StoreFolder* store, std::ostream& out);
-// Of --localize: writes the poses of the images, and says how many there are. Returns the exit
-// status: 2 where there is none.
+// Of --localize: writes the poses of the images, and says how many there are, what was left out
+// and, where there is none, why. Returns the exit status: then 2.
 int WriteLocalized(const OfflineMapper& mapper, const MapSnapshot& snapshot,
-                   const MappingArguments& arguments, std::ostream& out);
+                   const ReasonCounts& left_out, const MappingArguments& arguments,
+                   std::ostream& out);
 // Whether files that a folder for results holds already may be replaced.
 Overwrite MayReplaceResults(const MappingArguments& arguments);
 

@@ -21,18 +21,25 @@
 
 namespace rovio_sfm {
 
+// What a run is given as one drive; what is not known is empty.
+struct DriveInput {
+  std::string robot;
+  std::vector<std::string> image_names;
+  std::vector<StampedPose> ground_truth;
+  YawByStamp odometry;  // as it was used
+};
+
 // A finished run over image folders.
 struct MapRun {
-  size_t num_images = 0;                                        // in the folders, after the stride
-  std::map<std::string, std::vector<std::string>> image_names;  // by robot; may lack some
+  size_t num_images = 0;             // in the folders, after the stride
+  std::vector<DriveInput> inputs;    // in the order in which the mapper started drives
+  std::map<DriveId, size_t> drives;  // which of them the drives of this run came from
   std::shared_ptr<const MapSnapshot> snapshot;
   FrontendCounters frontend;
   MatchingFunnel funnel;
   MapperCounters mapper;
   std::vector<MergeReport> merges;
   std::map<std::string, StageTimes::Total> stages;
-  std::map<std::string, std::vector<StampedPose>> ground_truth;  // by robot; may lack some
-  std::map<std::string, YawByStamp> odometry;                    // by robot, as it was used
   PlaceCounters places;
   LandmarkCounts landmarks;
   uint64_t num_rejoined = 0;
@@ -59,8 +66,5 @@ nlohmann::ordered_json MapSummaryJson(const MapRun& run);
 
 // Of the largest map, the object "densified".
 nlohmann::ordered_json DensifyJson(const DensifyCounts& counts);
-
-// The greatest memory of this process so far, MB.
-double PeakRssMb();
 
 }  // namespace rovio_sfm

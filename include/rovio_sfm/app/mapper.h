@@ -83,7 +83,7 @@ class Mapper {
  private:
   void TrySeed(const DriveId& drive);
   SessionId StartedSession(const DriveMapper& drive) const;
-  void MatchWithLost(SessionId session);
+  void MatchWithLast(SessionId session);
   std::vector<Sibling> SiblingsOf(const Session& session) const;
   void FinishDrive(const DriveId& drive);
   void AdjustMaps(std::optional<SessionId> of);

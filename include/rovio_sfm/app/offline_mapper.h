@@ -59,7 +59,8 @@ class OfflineMapper {
   OfflineMapper(const OfflineMapperOptions& options, std::shared_ptr<const PlaceModel> place_model,
                 StageTimes* times, MapStore* store = nullptr);
 
-  // Ends the drive before, if there is one, and begins the next.
+  // Ends the drive before, if there is one, and begins the next. It is one that the store holds
+  // where its first picture and that picture's stamp are: the store's goes on.
   void StartDrive(const std::string& robot);
   // The next image of the drive; waits where too many are under way.
   void Add(ImageEvent image);
@@ -74,6 +75,9 @@ class OfflineMapper {
 
   // The features of its keyframes.
   const FrameStore& frames() const { return *store_; }
+
+  // With which start, from 0, the drives of this run began; a jump of time begins another drive.
+  const std::map<DriveId, size_t>& drives() const { return start_of_drive_; }
 
   // What became of the images of all drives so far; call after Drain or Finish.
   const FrontendCounters& frontend_counters() const { return frontend_counters_; }
@@ -95,7 +99,8 @@ class OfflineMapper {
  private:
   void Resume();
   FrameStore* ChooseStore();
-  DriveId KeptName(const DriveId& drive) const;
+  DriveId NameOf(const DriveId& drive) const;
+  bool IsKept(const FrameEvent& event);
   void FinishDrive();
   void TakeOldest();
   void Map(const FrameEvent& event);
@@ -120,7 +125,8 @@ class OfflineMapper {
   std::optional<Localizer> localizer_;
   std::map<FrameId, Localization> localizations_;
   std::optional<PlaceRecognizer> recognizer_;  // none without a place model
-  std::optional<Frontend> frontend_;
+  std::string robot_;
+  std::optional<Frontend> frontend_;             // from a drive's first image on
   std::unique_ptr<Worker<FrameEvent>> mapping_;  // null with one thread
   std::vector<std::vector<FrameEvent>> drives_;  // only where drives are seeded
   FrontendCounters frontend_counters_;
@@ -129,7 +135,9 @@ class OfflineMapper {
   MotionCounts motion_;
   LandmarkCounts landmarks_;  // of the mapper's thread
   uint64_t num_rejoined_ = 0;
-  uint32_t next_nonce_ = 0;
+  size_t num_starts_ = 0;
+  std::map<DriveId, DriveId> names_;  // of the frontend's drives since the last start
+  std::map<DriveId, size_t> start_of_drive_;
   std::map<DriveId, uint32_t> kept_before_;  // the index after the last frame that the store held
   std::map<DriveId, SessionId> newest_sessions_;
 };

@@ -69,6 +69,7 @@ class PlaceRecognizer {
   std::vector<uint32_t> WordsOf(const std::shared_ptr<const FrameFeatures>& features) const;
 
   const PlaceCounters& counters() const { return counters_; }
+  void ResetCounters() { counters_ = {}; }
   const std::string& last_refusal() const { return last_refusal_; }
   const PlaceIndex& index() const { return index_; }
 

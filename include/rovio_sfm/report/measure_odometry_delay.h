@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <string>
 
 #include "rovio_sfm/report/level_map.h"
 #include "rovio_sfm/scene/session.h"
@@ -24,6 +23,6 @@ void UpdateOdometryDelay(Session* session);
 // As the first, by every registered frame of a map, light ones too: the most certain of its
 // sessions.
 std::optional<OdometryDelay> MeasureOdometryDelay(const LevelMap& map,
-                                                  const std::map<std::string, YawByStamp>& yaws);
+                                                  const std::map<DriveId, YawByStamp>& yaws);
 
 }  // namespace rovio_sfm

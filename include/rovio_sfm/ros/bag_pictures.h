@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "rovio_sfm/ros/bag_images.h"
@@ -20,14 +19,14 @@ class BagPictures {
               std::optional<Camera> camera = std::nullopt)
       : drives_(std::move(drives)), options_(std::move(options)), camera_(std::move(camera)) {}
 
-  // Of the robot's image with this stamp; null where no bag has it.
-  ImageBytes Find(const std::string& robot, int64_t stamp_ns);
+  // Of a drive's image with this stamp; null where its bag has none.
+  ImageBytes Find(size_t drive, int64_t stamp_ns);
 
  private:
   std::vector<BagDrive> drives_;
   SensorOptions options_;
   std::optional<Camera> camera_;
-  size_t drive_ = 0;                   // that is read
+  size_t drive_ = 0;                   // that is read, counted as given
   std::unique_ptr<BagImages> images_;  // of it, behind the last found; null: from its start
 };
 

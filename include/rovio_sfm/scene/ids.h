@@ -11,7 +11,7 @@ namespace rovio_sfm {
 struct DriveId {
   std::string robot;     // [a-z][a-z0-9_]*, at most 32 characters
   int64_t start_ns = 0;  // stamp of the drive's first image
-  uint32_t nonce = 0;    // random live, from the seed in replay
+  uint32_t nonce = 0;    // random live, a checksum of the first image in replay
 
   std::string ToString() const;  // robot-start_ns-nonce
 };
