@@ -1,5 +1,6 @@
 #include "rovio_sfm/app/finish_run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -56,6 +57,16 @@ PageNotes NotesOf(const MapRun& run) {
   return notes;
 }
 
+Json FormatsLeftOut(const std::vector<WrittenMap>& maps) {
+  Json sentences = Json::array();
+  for (const WrittenMap& map : maps) {
+    for (const std::string& sentence : map.left_out) {
+      sentences.push_back("map " + std::to_string(map.id.value) + ": " + sentence);
+    }
+  }
+  return sentences;
+}
+
 std::vector<WrittenMap> WriteResults(const RunToFinish& finish, const MapRun& run, Json summary,
                                      const MapFormats& formats, Overwrite overwrite) {
   if (run.stopped && FindMapsBySize(*run.snapshot).empty()) return {};
@@ -66,6 +77,7 @@ std::vector<WrittenMap> WriteResults(const RunToFinish& finish, const MapRun& ru
   std::vector<WrittenMap> maps =
       WriteAllMaps(*run.snapshot, source, formats, finish.arguments->out, overwrite);
   summary.update(MapSummaryJson(run));
+  summary["formats_left_out"] = FormatsLeftOut(maps);
   if (!maps.empty() && maps[0].densified) summary["densified"] = DensifyJson(*maps[0].densified);
   WriteFile(SummaryPath(*finish.arguments), summary.dump(2) + "\n", overwrite);
   return maps;
@@ -99,6 +111,7 @@ void Tell(const RunToFinish& finish, const MapRun& run, const std::vector<Writte
   if (!maps.empty() && !why.empty()) out << "not metric: " << why << "\n";
   for (const WrittenMap& map : maps) {
     out << Describe(map) << "\n";
+    for (const std::string& sentence : map.left_out) out << sentence << "\n";
     if (map.densified) out << Describe(*map.densified) << "\n";
     for (const Path& file : map.files) out << "wrote " << file.string() << "\n";
   }
@@ -121,6 +134,11 @@ std::string WhyUnposed(const MapRun& run, const BootstrapOptions& start) {
   return why.str();
 }
 
+bool HasFiles(const std::vector<WrittenMap>& maps) {
+  return std::any_of(maps.begin(), maps.end(),
+                     [](const WrittenMap& map) { return !map.files.empty(); });
+}
+
 int StatusOf(const RunToFinish& finish, const std::vector<WrittenMap>& maps, std::ostream& out) {
   const MapRun& run = finish.run;
   if (run.stopped) {
@@ -133,7 +151,7 @@ int StatusOf(const RunToFinish& finish, const std::vector<WrittenMap>& maps, std
   if (!maps.empty() && 2 * num_unposed > run.num_images) {
     out << num_unposed << " of " << run.num_images << " images have no pose: " << why << "\n";
   }
-  if (!maps.empty()) return 0;
+  if (!maps.empty()) return HasFiles(maps) ? 0 : kNothingWritten;
   out << "no image was registered: of " << run.num_images << " images " << run.frontend.keyframes
       << " became keyframes; " << why << "\n";
   return kNothingRegistered;

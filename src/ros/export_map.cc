@@ -33,6 +33,7 @@ void Write(const LevelMap& map, const MapSource& source, const MapFormats& forma
   }
   for (const std::string& sentence : written.left_out) message += "; " + sentence;
   response->status = Ok(message);
+  if (written.paths.empty()) response->status = FailedPrecondition(written.left_out.front());
 }
 
 bool ReadFormatNames(const std::string& names, MapFormats* formats, Status* status) {

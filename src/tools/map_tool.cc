@@ -68,8 +68,9 @@ int Export(const Arguments& arguments, std::ostream& out) {
       PageNotes{mapper.MergeReports()},
       [&](const ModelImage& image) { return store.Get(image.id); }};
   const MapFormats formats = ReadFormats(arguments.formats);
-  PrintWritten(WriteMapFiles(*map, source, formats, arguments.out, overwrite), out);
-  return 0;
+  const WrittenFiles written = WriteMapFiles(*map, source, formats, arguments.out, overwrite);
+  PrintWritten(written, out);
+  return written.paths.empty() ? 1 : 0;
 }
 
 CLI::App* AddCommand(const std::string& name, const std::string& what, Arguments* arguments,

@@ -64,8 +64,7 @@ TEST(MapImagesCommand, SaysHowMuchTheImagesSharedWhereNoMapStarts) {
 }
 
 // A few images of a walk past two walls, and as many again and more that show other things.
-TEST(MapImagesCommand, SaysHowMuchTheImagesSharedWhereMostHaveNoPose) {
-  const TemporaryFolder folder;
+void WriteWalk(const TemporaryFolder& folder) {
   folder.Write("drive/calibration.txt", "256 256 160 120 0 0 0 0 0 320 240\n");
   folder.Write("drive/images/0.png", "");
   std::string times;
@@ -78,11 +77,33 @@ TEST(MapImagesCommand, SaysHowMuchTheImagesSharedWhereMostHaveNoPose) {
     times += std::to_string(i) + " " + name + "\n";
   }
   folder.Write("drive/times.txt", times);
+}
+
+TEST(MapImagesCommand, SaysHowMuchTheImagesSharedWhereMostHaveNoPose) {
+  const TemporaryFolder folder;
+  WriteWalk(folder);
   std::string printed;
   const std::string out = folder.Path() / "out";
   ASSERT_EQ(RunCommand(MapImagesCommand, {folder.Path() / "drive", "--out", out}, &printed), 0);
   EXPECT_NE(printed.find("14 of 24 images have no pose: each shows "), std::string::npos)
       << printed;
+}
+
+TEST(MapImagesCommand, TellsWhichFormatsAMapCannotBeWrittenIn) {
+  const TemporaryFolder folder;
+  WriteWalk(folder);
+  std::string printed;
+  const std::string drive = folder.Path() / "drive", out = folder.Path() / "out";
+  ASSERT_EQ(RunCommand(MapImagesCommand, {drive, "--out", out, "--format", "grid"}, &printed), 1);
+  EXPECT_NE(printed.find("grid: not written, as the map is not metric\n"), std::string::npos)
+      << printed;
+  const auto bytes = ReadBytes(out + "/summary.json", 100000);
+  const auto json = nlohmann::json::parse(bytes.begin(), bytes.end());
+  EXPECT_EQ(json["formats_left_out"][0], "map 1: grid: not written, as the map is not metric");
+  ASSERT_EQ(RunCommand(MapImagesCommand,
+                       {drive, "--out", out, "--format", "grid,tum", "--overwrite"}, &printed),
+            0);
+  EXPECT_NE(printed.find("grid: not written"), std::string::npos) << printed;
 }
 
 TEST(MapImagesCommand, RefusesBadArguments) {

@@ -51,6 +51,15 @@ TEST_F(MapTool, ExportsTheLargestMapOrOneThatIsNamed) {
             file_ + ": map = 9: expected one with posed frames");
 }
 
+TEST_F(MapTool, FailsWhereTheMapCannotBeWrittenInAnyOfTheFormats) {
+  KeepTwoDrives(file_, false);
+  const std::string out = folder_.Path() / "out";
+  EXPECT_EQ(Tool({"export", file_, "--out", out, "--format", "grid"}), 1);
+  EXPECT_EQ(printed_, "grid: not written, as the map is not metric\n");
+  EXPECT_EQ(Tool({"export", file_, "--out", out, "--format", "grid,tum"}), 0);
+  EXPECT_TRUE(Printed("grid: not written, as the map is not metric\nwrote ")) << printed_;
+}
+
 TEST_F(MapTool, MergesAndPrunes) {
   const std::string second = folder_.Path() / "second.db";
   KeepTwoDrives(file_, true);
