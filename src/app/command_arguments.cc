@@ -30,16 +30,6 @@ void DeclareOptionFiles(CLI::App* app, MappingArguments* arguments) {
 
 }  // namespace
 
-std::optional<int> ParseArguments(CLI::App* app, int argc, const char* const* argv,
-                                  std::ostream& out) {
-  try {
-    app->parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app->exit(error, out, out);
-  }
-  return std::nullopt;
-}
-
 void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
   app->add_option("--out", arguments->out, "folder for the results")->required();
   DeclareOptionFiles(app, arguments);

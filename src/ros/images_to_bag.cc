@@ -12,12 +12,12 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/app/output_folder.h"
 #include "rovio_sfm/io/odometry_file.h"
 #include "rovio_sfm/io/text_file.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/parse_arguments.h"
 #include "rovio_sfm/util/stop_signals.h"
 
 namespace rovio_sfm {

@@ -20,6 +20,7 @@
 #include "rovio_sfm/ros/bag_pictures.h"
 #include "rovio_sfm/util/check_options.h"
 #include "rovio_sfm/util/keep_memory.h"
+#include "rovio_sfm/util/parse_arguments.h"
 #include "rovio_sfm/util/steady_clock.h"
 #include "rovio_sfm/util/stop_signals.h"
 

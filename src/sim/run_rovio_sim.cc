@@ -12,6 +12,7 @@
 #include "rovio_sfm/sim/serve_simulated_robot.h"
 #include "rovio_sfm/sim/tour/audit.h"
 #include "rovio_sfm/sim/tour/render_tour.h"
+#include "rovio_sfm/util/parse_arguments.h"
 
 namespace rovio_sfm::sim {
 namespace {
@@ -44,7 +45,9 @@ std::string ListQuirks() {
 
 void AddServeArguments(CLI::App& app, Arguments* arguments) {
   SocketServerOptions& socket = arguments->serve.server.socket;
-  app.add_option("--port", socket.port, "TCP port; 0 takes a free one")->default_val(8080);
+  app.add_option("--port", socket.port, "TCP port; 0 takes a free one")
+      ->default_val(8080)
+      ->check(CLI::Range(0, 65535));
   app.add_option("--bind", socket.address, "IPv4 address to listen on; 0.0.0.0 for all")
       ->default_val(socket.address);
   app.add_option("--quirk", arguments->serve.quirks, ListQuirks());
@@ -150,11 +153,7 @@ int RunRovioSim(int argc, const char* const* argv) {
       ->default_val("visionlab");
   AddServeArguments(app, &arguments);
   AddRenderArguments(app, &arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error);
-  }
+  if (const auto status = ParseArguments(&app, argc, argv, std::cout)) return *status;
   ChooseCamera(&arguments);
   if (!arguments.images.empty()) {
     return ServeImages(arguments.serve, arguments.images, arguments.repeats);

@@ -1,15 +1,16 @@
 #include "rovio_sfm/tools/map_tool.h"
 
 #include <CLI/CLI.hpp>
+#include <limits>
 #include <ostream>
 #include <stdexcept>
 
-#include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/app/mapper.h"
 #include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/report/level_map.h"
 #include "rovio_sfm/tools/copy_store.h"
 #include "rovio_sfm/tools/store_contents.h"
+#include "rovio_sfm/util/parse_arguments.h"
 
 namespace rovio_sfm {
 namespace {
@@ -110,7 +111,8 @@ Commands Declare(Arguments* arguments, CLI::App* app) {
   commands.export_files->add_option("--out", arguments->out, "folder for the files")->required();
   commands.export_files->add_option("--format", arguments->formats,
                                     "with commas between: " + FormatNames());
-  commands.export_files->add_option("--map", arguments->map, "else the largest");
+  commands.export_files->add_option("--map", arguments->map, "else the largest")
+      ->check(CLI::Range(uint32_t{1}, std::numeric_limits<uint32_t>::max()));
   commands.export_files->add_flag("--overwrite", arguments->overwrite, "replace files");
   return commands;
 }

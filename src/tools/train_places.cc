@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/app/output_folder.h"
 #include "rovio_sfm/app/place_model_file.h"
 #include "rovio_sfm/app/progress_bar.h"
 #include "rovio_sfm/tools/list_images.h"
 #include "rovio_sfm/tools/train_place_model.h"
 #include "rovio_sfm/util/check_options.h"
+#include "rovio_sfm/util/parse_arguments.h"
 #include "rovio_sfm/util/steady_clock.h"
 #include "rovio_sfm/util/stop_signals.h"
 

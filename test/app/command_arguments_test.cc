@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "rovio_sfm/util/parse_arguments.h"
 #include "util/temporary_folder.h"
 
 namespace rovio_sfm {
@@ -23,12 +24,13 @@ std::optional<int> Parse(std::vector<const char*> words, MappingArguments* argum
   return ParseArguments(&app, static_cast<int>(words.size()), words.data(), out);
 }
 
-TEST(ParseArguments, GoesOnOnlyIfAllIsWell) {
+TEST(DeclareMappingArguments, WantsAFolderAndModesThatThereAre) {
   MappingArguments arguments;
   EXPECT_FALSE(Parse({"--out", "x"}, &arguments));
   EXPECT_EQ(Parse({"--help"}, &arguments), 0);
-  EXPECT_NE(Parse({}, &arguments).value_or(0), 0);
-  EXPECT_NE(Parse({"--out", "x", "--mode", "some"}, &arguments).value_or(0), 0);
+  EXPECT_THROW(Parse({}, &arguments), std::runtime_error);
+  EXPECT_THROW(Parse({"--out", "x", "--mode", "some"}, &arguments), std::runtime_error);
+  EXPECT_THROW(Parse({"--out", "x", "--seed", "-1"}, &arguments), std::runtime_error);
 }
 
 TEST(CompleteMappingArguments, OverridesOnlyWhatWasSaid) {

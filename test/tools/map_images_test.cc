@@ -111,9 +111,11 @@ TEST(MapImagesCommand, RefusesBadArguments) {
   WriteGreyFolder(folder);
   const std::string drive = folder.Path() / "drive", out = folder.Path() / "out";
   std::string printed;
-  EXPECT_NE(RunCommand(MapImagesCommand, {drive}, &printed), 0);
-  EXPECT_NE(RunCommand(MapImagesCommand, {drive, "--out", out, "--mode", "some"}, &printed), 0);
-  EXPECT_NE(RunCommand(MapImagesCommand, {drive, "--out", out, "--stride", "0"}, &printed), 0);
+  EXPECT_THROW(RunCommand(MapImagesCommand, {drive}, &printed), std::runtime_error);
+  EXPECT_THROW(RunCommand(MapImagesCommand, {drive, "--out", out, "--mode", "some"}, &printed),
+               std::runtime_error);
+  EXPECT_THROW(RunCommand(MapImagesCommand, {drive, "--out", out, "--stride", "0"}, &printed),
+               std::runtime_error);
   EXPECT_THROW(RunCommand(MapImagesCommand, {drive, "--out", out, "--features", "1"}, &printed),
                std::runtime_error);
   EXPECT_THROW(RunCommand(MapImagesCommand, {"absent", "--out", out}, &printed),

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/report/evaluation.h"
 #include "rovio_sfm/report/evaluation_json.h"
+#include "rovio_sfm/util/parse_arguments.h"
 
 namespace rovio_sfm {
 namespace {

@@ -39,8 +39,9 @@ TEST(EvaluateTrajectoryCommand, RefusesWhatItCannotCompare) {
   const std::string truth = folder.Write("truth.txt", kTruth);
   const std::string two = folder.Write("two.txt", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n");
   std::string printed;
-  EXPECT_NE(RunCommand(EvaluateTrajectoryCommand, {}, &printed), 0);
-  EXPECT_NE(RunCommand(EvaluateTrajectoryCommand, {truth, truth, "--max-gap", "0"}, &printed), 0);
+  EXPECT_THROW(RunCommand(EvaluateTrajectoryCommand, {}, &printed), std::runtime_error);
+  EXPECT_THROW(RunCommand(EvaluateTrajectoryCommand, {truth, truth, "--max-gap", "0"}, &printed),
+               std::runtime_error);
   EXPECT_THROW(RunCommand(EvaluateTrajectoryCommand, {truth}, &printed), std::runtime_error);
   EXPECT_THROW(RunCommand(EvaluateTrajectoryCommand, {truth, two}, &printed), std::runtime_error);
   EXPECT_THROW(RunCommand(EvaluateTrajectoryCommand, {truth, "absent.txt"}, &printed),
