@@ -42,10 +42,9 @@ int Prune(const Arguments& arguments, std::ostream& out) {
   if (!arguments.prune.images && !arguments.prune.descriptors) {
     throw std::runtime_error("prune: expected --images, --descriptors or both");
   }
-  const auto before = std::filesystem::file_size(arguments.file);
-  const size_t count = PruneStore(arguments.file, arguments.prune);
-  out << "forgot " << count << " rows: " << before / 1024 << " KiB before, "
-      << std::filesystem::file_size(arguments.file) / 1024 << " KiB now\n";
+  const StorePruneReport report = PruneStore(arguments.file, arguments.prune);
+  out << "forgot " << report.num_rows << " rows: " << report.bytes_before / 1024 << " KiB before, "
+      << report.bytes_after / 1024 << " KiB now\n";
   return 0;
 }
 

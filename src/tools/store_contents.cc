@@ -2,9 +2,11 @@
 
 #include <iomanip>
 #include <map>
+#include <memory>
 #include <ostream>
 
 #include "rovio_sfm/app/mapper.h"
+#include "rovio_sfm/app/store_folder.h"
 #include "rovio_sfm/io/map_store_schema.h"
 #include "rovio_sfm/tools/copy_store.h"
 
@@ -177,8 +179,11 @@ std::vector<std::string> FindStoreFaults(const std::filesystem::path& file) {
   return faults;
 }
 
-size_t PruneStore(const std::filesystem::path& file, const PruneChoice& choice) {
+StorePruneReport PruneStore(const std::filesystem::path& file, const PruneChoice& choice) {
   StoreDatabase database(file, StoreAccess::kWrite);
+  const std::unique_ptr<FolderLock> lock = LockStoreFile(file);
+  StorePruneReport report;
+  report.bytes_before = std::filesystem::file_size(file);
   OpenSchema(StoreAccess::kWrite, &database);
   const std::string drives = PlaceholdersOf(choice, StoredFrames(&database));
   const std::string which =
@@ -194,7 +199,9 @@ size_t PruneStore(const std::filesystem::path& file, const PruneChoice& choice) 
   if (choice.images) database.Execute("DELETE FROM image" + which);
   if (choice.descriptors) database.Execute("DELETE FROM descriptors" + which);
   database.Execute("COMMIT; VACUUM; PRAGMA wal_checkpoint(TRUNCATE)");
-  return before - count();
+  report.num_rows = before - count();
+  report.bytes_after = std::filesystem::file_size(file);
+  return report;
 }
 
 }  // namespace rovio_sfm

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rovio_sfm/app/folder_lock.h"
 #include "tools/command_line.h"
 #include "tools/kept_maps.h"
 #include "util/temporary_folder.h"
@@ -72,7 +73,39 @@ TEST_F(MapTool, MergesAndPrunes) {
   EXPECT_THROW(Tool({"prune", new_}), std::runtime_error);
 }
 
+TEST_F(MapTool, ChangesNoStoreThatAnotherProcessMapsInto) {
+  const std::string other = folder_.Path() / "running/map.db";
+  const std::string link = folder_.Path() / "link.db";
+  std::filesystem::create_directory(folder_.Path() / "running");
+  KeepTwoDrives(file_, false);
+  std::filesystem::create_symlink(file_, link);
+  const FolderLock mapping(folder_.Path()), other_mapping(folder_.Path() / "running");
+  const std::string before = ReadText(file_);
+  for (const auto& arguments : std::vector<std::vector<std::string>>{
+           {"prune", file_, "--images"}, {"prune", link, "--images"}, {"repair", file_, other}}) {
+    EXPECT_NE(MessageOf([&] { Tool(arguments); }).find("another process maps into this folder"),
+              std::string::npos)
+        << arguments[0];
+  }
+  EXPECT_EQ(ReadText(file_), before);
+  EXPECT_FALSE(std::filesystem::exists(other));
+  EXPECT_EQ(Tool({"repair", file_, new_}), 0) << printed_;  // reading is allowed
+  EXPECT_EQ(Tool({"prune", new_, "--images"}), 0) << printed_;
+}
+
 TEST_F(MapTool, RefusesWhatItCannotUse) {
+  const std::string folder = folder_.Path(), none = folder + "/none.db";
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"info"}, {"check"}, {"prune", "--images"}}) {
+    const auto message_of = [&](const std::string& file) {
+      std::vector<std::string> arguments = words;
+      arguments.insert(arguments.begin() + 1, file);
+      return MessageOf([&] { Tool(arguments); });
+    };
+    EXPECT_EQ(message_of(none), none + ": cannot be opened: no such file");
+    EXPECT_EQ(message_of(folder),
+              folder + ": cannot be opened: is a folder; expected a map store (map.db)");
+  }
   EXPECT_THROW(Tool({}), std::runtime_error);
   EXPECT_THROW(Tool({"nonsense"}), std::runtime_error);
   EXPECT_THROW(Tool({"merge", file_, file_}), std::runtime_error);
