@@ -1,23 +1,41 @@
 #include "rovio_sfm/app/command_arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 #include "rovio_sfm/app/load_options.h"
 #include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/util/check_options.h"
+#include "rovio_sfm/util/load_document.h"
 
 namespace rovio_sfm {
 namespace {
 
 constexpr int kNothingPosed = 2;  // exit status
 
+// Of a pipe too.
+std::string ReadTextOf(const std::string& path) {
+  if (std::filesystem::is_directory(path)) {
+    throw std::runtime_error(path + ": is a folder; expected a YAML file");
+  }
+  std::ifstream stream(path);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream) throw std::runtime_error(path + ": cannot be read: " + std::strerror(errno));
+  return text.str();
+}
+
 template <typename Options>
 void LoadFile(const std::string& path, Options* options) {
   if (path.empty()) return;
+  const std::string yaml = ReadTextOf(path);
   try {
-    LoadOptions(YAML::LoadFile(path), "", options);
+    LoadOptions(LoadDocument(yaml), "", options);
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what());
   }

@@ -72,6 +72,21 @@ TEST(CompleteMappingArguments, ReadsFilesOfOptionsBeforeTheRest) {
   EXPECT_THROW(CompleteMappingArguments(&arguments), std::runtime_error);
 }
 
+TEST(CompleteMappingArguments, NamesAFileOfOptionsThatCannotBeRead) {
+  const TemporaryFolder folder;
+  const auto complaint = [](const std::string& file) {
+    MappingArguments arguments;
+    arguments.mapper_file = file;
+    return MessageOf([&] { CompleteMappingArguments(&arguments); });
+  };
+  const std::string path = folder.Path();
+  EXPECT_EQ(complaint(path), path + ": is a folder; expected a YAML file");
+  EXPECT_EQ(complaint("/nope"), "/nope: cannot be read: No such file or directory");
+  const std::string twice = folder.Write("two.yaml", "seed: 1\n---\nseed: 2\n");
+  EXPECT_NE(complaint(twice).find("line 3"), std::string::npos) << complaint(twice);
+  EXPECT_NE(complaint(twice).find("a second document"), std::string::npos) << complaint(twice);
+}
+
 TEST(CompleteMappingArguments, DensifiesBesideTheFormats) {
   MappingArguments arguments;
   arguments.densify = true;
