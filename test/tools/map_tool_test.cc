@@ -61,6 +61,19 @@ TEST_F(MapTool, FailsWhereTheMapCannotBeWrittenInAnyOfTheFormats) {
   EXPECT_TRUE(Printed("grid: not written, as the map is not metric\nwrote ")) << printed_;
 }
 
+TEST_F(MapTool, NamesTheFrameWhosePictureHasNoBytes) {
+  KeepTwoDrives(file_, false);
+  Spoil(file_, "UPDATE image SET jpeg = x''");
+  const std::string out = folder_.Path() / "out";
+  for (const std::string format : {"dense", "bundler", "nvm"}) {
+    const std::string message = MessageOf([&] {
+      Tool({"export", file_, "--out", out, "--format", format});
+    });
+    EXPECT_NE(message.find("frame "), std::string::npos) << message;
+    EXPECT_NE(message.find("no bytes"), std::string::npos) << message;
+  }
+}
+
 TEST_F(MapTool, MergesAndPrunes) {
   const std::string second = folder_.Path() / "second.db";
   KeepTwoDrives(file_, true);
