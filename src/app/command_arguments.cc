@@ -11,6 +11,7 @@
 #include "rovio_sfm/app/load_options.h"
 #include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/util/check_options.h"
+#include "rovio_sfm/util/count_text.h"
 #include "rovio_sfm/util/load_document.h"
 
 namespace rovio_sfm {
@@ -127,8 +128,9 @@ int WriteLocalized(const OfflineMapper& mapper, const MapSnapshot& snapshot,
                    const MappingArguments& arguments, std::ostream& out) {
   const std::filesystem::path path = std::filesystem::path(arguments.out) / "localized.txt";
   WriteFile(path, LocalizedText(snapshot, mapper.localizations()), Overwrite::kAllow);
-  out << mapper.localizations().size() << " of " << mapper.frontend_counters().images
-      << " images posed in the map\nwrote " << std::filesystem::absolute(path).string() << "\n";
+  out << mapper.localizations().size() << " of "
+      << CountText(mapper.frontend_counters().images, "image") << " posed in the map\nwrote "
+      << std::filesystem::absolute(path).string() << "\n";
   return mapper.localizations().empty() ? kNothingPosed : 0;
 }
 

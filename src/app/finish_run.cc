@@ -11,6 +11,7 @@
 #include "rovio_sfm/app/output_folder.h"
 #include "rovio_sfm/app/wait_for_end.h"
 #include "rovio_sfm/app/write_maps.h"
+#include "rovio_sfm/util/count_text.h"
 #include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
@@ -102,9 +103,10 @@ MapFormats QuickOnes(const MapFormats& formats) {
 void Tell(const RunToFinish& finish, const MapRun& run, const std::vector<WrittenMap>& maps,
           std::ostream& out) {
   TellStore(finish.store, out);
-  out << run.mapper.global_adjustments << " global adjustments\n"
-      << run.snapshot->sessions.size() << " sessions; " << (maps.empty() ? 0 : maps[0].num_images)
-      << " images posed in the largest map, in "
+  out << CountText(run.mapper.global_adjustments, "global adjustment") << "\n"
+      << CountText(run.snapshot->sessions.size(), "session") << "; "
+      << CountText(maps.empty() ? 0 : maps[0].num_images, "image")
+      << " posed in the largest map, in "
       << (!maps.empty() && maps[0].is_metric ? "metres" : "map units") << "\n";
   out << RefinedCameras(run);
   const std::string why = WhyInMapUnits(run);
@@ -142,18 +144,20 @@ bool HasFiles(const std::vector<WrittenMap>& maps) {
 int StatusOf(const RunToFinish& finish, const std::vector<WrittenMap>& maps, std::ostream& out) {
   const MapRun& run = finish.run;
   if (run.stopped) {
-    out << "stopped by a signal: " << run.frontend.images << " of " << run.num_images
-        << " images were looked at\n";
+    out << "stopped by a signal: " << run.frontend.images << " of "
+        << CountWere(run.num_images, "image") << " looked at\n";
     return StatusOfStop();
   }
   const std::string why = WhyUnposed(run, finish.arguments->mapper.mapper.bootstrap);
   const size_t num_unposed = CountImagesWithoutPose(run);
   if (!maps.empty() && 2 * num_unposed > run.num_images) {
-    out << num_unposed << " of " << run.num_images << " images have no pose: " << why << "\n";
+    out << num_unposed << " of " << CountText(run.num_images, "image")
+        << (num_unposed == 1 ? " has" : " have") << " no pose: " << why << "\n";
   }
   if (!maps.empty()) return HasFiles(maps) ? 0 : kNothingWritten;
-  out << "no image was registered: of " << run.num_images << " images " << run.frontend.keyframes
-      << " became keyframes; " << why << "\n";
+  out << "no image was registered: of " << CountText(run.num_images, "image") << " "
+      << run.frontend.keyframes << " became "
+      << (run.frontend.keyframes == 1 ? "a keyframe; " : "keyframes; ") << why << "\n";
   return kNothingRegistered;
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "rovio_sfm/app/write_map_files.h"
+#include "rovio_sfm/util/count_text.h"
 
 namespace rovio_sfm {
 namespace {
@@ -54,8 +55,8 @@ std::vector<WrittenMap> WriteAllMaps(const MapSnapshot& snapshot, const MapSourc
 }
 
 std::string Describe(const WrittenMap& map) {
-  return "map " + std::to_string(map.id.value) + ": " + std::to_string(map.num_images) +
-         " images, in " + (map.is_metric ? "metres" : "map units") + ", in " + map.folder.string();
+  return "map " + std::to_string(map.id.value) + ": " + CountText(map.num_images, "image") +
+         ", in " + (map.is_metric ? "metres" : "map units") + ", in " + map.folder.string();
 }
 
 std::vector<Path> FindMapFiles(const Path& folder) {

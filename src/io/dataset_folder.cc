@@ -6,6 +6,7 @@
 #include "rovio_sfm/io/calibration.h"
 #include "rovio_sfm/io/odometry_file.h"
 #include "rovio_sfm/io/text_file.h"
+#include "rovio_sfm/util/count_text.h"
 #include "rovio_sfm/util/log.h"
 
 namespace rovio_sfm {
@@ -58,9 +59,8 @@ void TellLate(const std::vector<TextLine>& late, bool has_overlaps) {
   if (late.empty()) return;
   const std::string reason = "field timestamp: expected a later one than the line before";
   if (has_overlaps) late.front().Fail(reason + ", as overlaps.txt numbers the images");
-  LogWarning(late.front().file + ": " + std::to_string(late.size()) +
-             " images left out, the first in line " + std::to_string(late.front().number) + ": " +
-             reason);
+  LogWarning(late.front().file + ": " + CountText(late.size(), "image") +
+             " left out, the first in line " + std::to_string(late.front().number) + ": " + reason);
 }
 
 std::vector<DatasetImage> ReadImageList(const std::filesystem::path& folder) {

@@ -12,6 +12,7 @@
 #include "rovio_sfm/sim/serve_simulated_robot.h"
 #include "rovio_sfm/sim/tour/audit.h"
 #include "rovio_sfm/sim/tour/render_tour.h"
+#include "rovio_sfm/util/count_text.h"
 #include "rovio_sfm/util/parse_arguments.h"
 
 namespace rovio_sfm::sim {
@@ -128,7 +129,7 @@ int SurfaceByArguments(Arguments* arguments) {
   arguments->render.config_folder = FindConfigFolder(arguments->config_folder);
   arguments->render.tour = arguments->surface;
   const size_t count = WriteTourSurface(arguments->render);
-  std::cout << count << " points of " << arguments->surface << " in "
+  std::cout << CountText(count, "point") << " of " << arguments->surface << " in "
             << std::filesystem::absolute(arguments->render.out_folder).string() << std::endl;
   return 0;
 }
@@ -136,7 +137,8 @@ int SurfaceByArguments(Arguments* arguments) {
 int RenderByArguments(Arguments* arguments) {
   arguments->render.config_folder = FindConfigFolder(arguments->config_folder);
   const int count = RenderTour(arguments->render);
-  std::cout << count << " pictures of " << arguments->render.tour << " in "
+  std::cout << CountText(static_cast<uint64_t>(count), "picture") << " of "
+            << arguments->render.tour << " in "
             << std::filesystem::absolute(arguments->render.out_folder).string() << std::endl;
   return 0;
 }

@@ -10,6 +10,7 @@
 #include "rovio_sfm/report/level_map.h"
 #include "rovio_sfm/tools/copy_store.h"
 #include "rovio_sfm/tools/store_contents.h"
+#include "rovio_sfm/util/count_text.h"
 #include "rovio_sfm/util/parse_arguments.h"
 
 namespace rovio_sfm {
@@ -24,16 +25,17 @@ struct Arguments {
 
 void TellCopy(const StoreCopyReport& report, const std::string& file, std::ostream& out) {
   for (const std::string& lost : report.lost) out << "lost: " << lost << "\n";
-  out << "copied " << report.num_frames << " frames, " << report.num_sessions << " sessions and "
-      << report.num_edits << " overlaps\nwrote " << std::filesystem::absolute(file).string()
-      << "\n";
+  out << "copied " << CountText(report.num_frames, "frame") << ", "
+      << CountText(report.num_sessions, "session") << " and "
+      << CountText(report.num_edits, "overlap") << "\nwrote "
+      << std::filesystem::absolute(file).string() << "\n";
 }
 
 int Check(const Arguments& arguments, std::ostream& out) {
   const std::vector<std::string> faults = FindStoreFaults(arguments.file);
   for (const std::string& fault : faults) out << fault << "\n";
   out << arguments.file << ": "
-      << (faults.empty() ? "sound" : std::to_string(faults.size()) + " faults; see map_tool repair")
+      << (faults.empty() ? "sound" : CountText(faults.size(), "fault") + "; see map_tool repair")
       << "\n";
   return faults.empty() ? 0 : 1;
 }
@@ -43,8 +45,8 @@ int Prune(const Arguments& arguments, std::ostream& out) {
     throw std::runtime_error("prune: expected --images, --descriptors or both");
   }
   const StorePruneReport report = PruneStore(arguments.file, arguments.prune);
-  out << "forgot " << report.num_rows << " rows: " << report.bytes_before / 1024 << " KiB before, "
-      << report.bytes_after / 1024 << " KiB now\n";
+  out << "forgot " << CountText(report.num_rows, "row") << ": " << report.bytes_before / 1024
+      << " KiB before, " << report.bytes_after / 1024 << " KiB now\n";
   return 0;
 }
 

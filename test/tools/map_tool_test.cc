@@ -31,10 +31,10 @@ TEST_F(MapTool, ChecksAndTellsAndRepairs) {
   Spoil(file_, "UPDATE keyframe SET pose = x'00' WHERE session = 2");
   EXPECT_EQ(Tool({"check", file_}), 1);
   EXPECT_TRUE(Printed("session 2: pose: cut short")) << printed_;
-  EXPECT_TRUE(Printed(file_ + ": 1 faults; see map_tool repair\n")) << printed_;
+  EXPECT_TRUE(Printed(file_ + ": 1 fault; see map_tool repair\n")) << printed_;
   EXPECT_EQ(Tool({"repair", file_, new_}), 1);
   EXPECT_TRUE(Printed("lost: " + file_ + ": session 2: pose: cut short")) << printed_;
-  EXPECT_TRUE(Printed("copied 24 frames, 1 sessions and 1 overlaps\nwrote " + new_ + "\n"));
+  EXPECT_TRUE(Printed("copied 24 frames, 1 session and 1 overlap\nwrote " + new_ + "\n"));
   EXPECT_EQ(Tool({"check", new_}), 0) << printed_;
 }
 
