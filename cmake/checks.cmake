@@ -2,6 +2,7 @@
 add_test(NAME check_layers COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_layers)
 add_test(NAME check_layers_test COMMAND ${PROJECT_SOURCE_DIR}/test/scripts/check_layers_test.py)
 add_test(NAME shell_test COMMAND ${PROJECT_SOURCE_DIR}/test/scripts/shell_test.py)
+add_test(NAME read_plainly_test COMMAND ${PROJECT_SOURCE_DIR}/test/scripts/read_plainly_test.py)
 add_test(NAME check_format COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_format)
 add_test(NAME check_docs COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_docs)
 

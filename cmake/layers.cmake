@@ -1,7 +1,8 @@
 # The rooms, bottom to top: each is a library that may include what it links, and nothing else.
 set(OPENCV ${OpenCV_LIBS})
 
-rovio_library(util LINKS Threads::Threads Eigen3::Eigen PkgConfig::OPENBLAS PkgConfig::YAMLCPP JPEG::JPEG ZLIB::ZLIB)
+rovio_library(util LINKS Threads::Threads Eigen3::Eigen PkgConfig::OPENBLAS PkgConfig::YAMLCPP JPEG::JPEG
+                   ZLIB::ZLIB CLI11::CLI11)
 # Its loops over bytes are vectorised from O3 on.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/util/byte_products.cc PROPERTIES
                             COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
@@ -42,7 +43,7 @@ rovio_library(merging     LINKS rovio_mapping TEST_LINKS rovio_synthetic)
 rovio_library(report      LINKS ${STEPS} nlohmann_json::nlohmann_json TEST_LINKS rovio_synthetic)
 rovio_library(finish      LINKS ${STEPS} rovio_dense rovio_surface TEST_LINKS rovio_synthetic)
 rovio_library(app         LINKS rovio_frontend rovio_recognition rovio_merging rovio_finish
-                                rovio_report rovio_rovio CLI11::CLI11 TEST_LINKS rovio_synthetic)
+                                rovio_report rovio_rovio TEST_LINKS rovio_synthetic)
 rovio_library(tools/trajectory LINKS rovio_app nlohmann_json::nlohmann_json TEST_LINKS rovio_synthetic)
 rovio_library(tools       LINKS rovio_tools_trajectory nlohmann_json::nlohmann_json TEST_LINKS rovio_synthetic)
 if(ROVIO_WITH_ROS)
@@ -57,4 +58,4 @@ rovio_library(sim/world LINKS rovio_geometry embree PkgConfig::YAMLCPP ${OPENCV}
 rovio_library(sim/robot LINKS rovio_sim_world)
 rovio_library(sim/tour  LINKS rovio_sim_robot rovio_rovio)
 rovio_library(sim/http  LINKS rovio_sim_robot)
-rovio_library(sim       LINKS rovio_sim_tour rovio_sim_http CLI11::CLI11)
+rovio_library(sim       LINKS rovio_sim_tour rovio_sim_http)

@@ -13,12 +13,17 @@ the wanted surface lies in each metre of range, and how much of that within 5 cm
 import argparse
 import json
 import pathlib
+import sys
 
 import numpy
 import open3d
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 from scipy.special import erf
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from read_plainly import Unreadable, end_plainly, reads  # noqa: E402  (after the path is set)
 
 NEAR_M = 0.05
 NEAR_SHARE = 0.03  # of the range
@@ -30,11 +35,12 @@ SURFACE = numpy.dtype([("x", "<f4", 3), ("color", "u1", 3), ("contrast", "<f4"),
                        ("object", "<i4")])
 
 
+@reads("a surface of rovio_sim --surface")
 def read_surface(path):
     """The points of a true surface, and the names of the objects that they belong to."""
     header, _, body = open(path, "rb").read().partition(b"end_header\n")
     if b"property int object\n" not in header:
-        raise SystemExit(f"{path}: no objects: expected a file of rovio_sim --surface")
+        raise Unreadable(f"{path}: no objects: expected a file of rovio_sim --surface")
     comments = [line.split() for line in header.decode().splitlines() if line.startswith("comment object ")]
     return numpy.frombuffer(body, SURFACE), {int(index): name for _, _, index, name in comments}
 
@@ -43,7 +49,7 @@ def on_objects(samples, names, prefix):
     """Which points of a surface belong to objects whose names begin with a prefix."""
     chosen = [index for index, name in names.items() if name.startswith(prefix)]
     if not chosen:
-        raise SystemExit(f"--objects {prefix}: no object's name begins so; there are " + ", ".join(names.values()))
+        raise Unreadable(f"--objects {prefix}: no object's name begins so; there are " + ", ".join(names.values()))
     return numpy.isin(samples["object"], chosen)
 
 
@@ -58,16 +64,22 @@ def expected_within(samples, reach_m):
     return erf(reach_m / (MATCH_PX * samples["sigma"] * numpy.sqrt(2)))
 
 
+@reads("a cloud or mesh (PLY)")
 def read_points(path):
     """Of a cloud; of a mesh, points even over it."""
     open3d.utility.set_verbosity_level(open3d.utility.VerbosityLevel.Error)  # it warns on the standard output
-    mesh = open3d.io.read_triangle_mesh(str(path))
+    with open(path, "rb"):  # open3d takes a file that is not there for an empty one
+        mesh = open3d.io.read_triangle_mesh(str(path))
     if len(mesh.triangles) == 0:
-        return numpy.asarray(open3d.io.read_point_cloud(str(path)).points)
+        points = numpy.asarray(open3d.io.read_point_cloud(str(path)).points)
+        if len(points) == 0:
+            raise Unreadable(f"{path}: no points: expected a cloud or mesh (PLY)")
+        return points
     open3d.utility.random.seed(1)
     return numpy.asarray(mesh.sample_points_uniformly(max(100000, len(mesh.vertices))).points)
 
 
+@reads("a trajectory: stamp, position and quaternion a line")
 def read_centres(path):
     return {f"{row[0]:.6f}": row[1:4] for row in numpy.loadtxt(path, ndmin=2)}
 
@@ -82,10 +94,15 @@ def fit_similarity(estimate, truth):
     return scale, rotation, truth.mean(0) - scale * rotation @ estimate.mean(0)
 
 
+@reads("a calibration: fx fy cx cy, five of distortion, width and height")
+def read_calibration(path):
+    values = numpy.loadtxt(path)
+    return values[0:2], values[2:4], values[9:11]
+
+
 def ranges_of(points, ground_truth, stamps):
     """The distance to the nearest camera that has a point in its picture; to the nearest where none has."""
-    values = numpy.loadtxt(pathlib.Path(ground_truth).parent / "calibration.txt")
-    focal, centre, size = values[0:2], values[2:4], values[9:11]
+    focal, centre, size = read_calibration(pathlib.Path(ground_truth).parent / "calibration.txt")
     poses = [row for row in numpy.loadtxt(ground_truth, ndmin=2) if f"{row[0]:.6f}" in stamps]
     ranges = numpy.full(len(points), numpy.inf)
     for row in poses:
@@ -115,6 +132,8 @@ def measure(cloud, trajectory, ground_truth, surface, added_from=None, by_range=
             objects=None):
     estimate, truth = read_centres(trajectory), read_centres(ground_truth)
     stamps = sorted(set(estimate) & set(truth), key=float)
+    if len(stamps) < 3:
+        raise Unreadable(f"{trajectory}: {len(stamps)} poses have a stamp of {ground_truth}: expected three or more")
     scale, rotation, shift = fit_similarity(numpy.array([estimate[s] for s in stamps]),
                                             numpy.array([truth[s] for s in stamps]))
     points = scale * read_points(cloud) @ rotation.T + shift
@@ -156,10 +175,11 @@ def main():
                       arguments.added_from, arguments.by_range, arguments.objects)
     if arguments.json:
         print(json.dumps(figures))
-        return
+        return 0
     for name, value in figures.items():
         print(f"{name:24} {value:.4g}")
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(end_plainly(main))

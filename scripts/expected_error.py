@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """What error the observations of a map allow, whatever solves for it:
   expected_error.py MODEL [--sigma-px S] [--json]
-MODEL: colmap_text/sparse/0 of an export; lengths are in its units. The adjustment is linearised at the map, poses and
+MODEL: colmap_text of an export, or sparse/0 in it; lengths are in its units. The adjustment is linearised at the map, poses and
 points free, each coordinate of a feature off by S px (by default what the residuals tell), the points eliminated, the
 seven freedoms of a similarity left out; the focal length is the mean of both, distortion is left out. Prints the
 expected RMSE of the camera centres after one similarity, how much of it the greatest mode has, and for each two drives
@@ -19,6 +19,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 sys.dont_write_bytecode = True
 
 from comparison.colmap_model import TextModel, rotation  # noqa: E402  (after the path is set)
+from read_plainly import Unreadable, end_plainly, reads  # noqa: E402  (after the path is set)
 
 FREEDOMS = 7  # of a similarity
 
@@ -98,21 +99,31 @@ def expected_error(model, sigma_px=None):
             "greatest_mode": float(numpy.sqrt(modes[-1] / len(names))), "sigma_relative_scale": scales}
 
 
+@reads("a model of COLMAP in its text format")
+def read_model(folder):
+    """Of a folder of cameras.txt, images.txt and points3D.txt, or of an export that has it below sparse/0."""
+    if not folder.is_dir():
+        raise Unreadable(f"{folder}: no such folder: expected colmap_text of an export")
+    below = folder / "sparse/0"
+    return TextModel(below if below.is_dir() else folder)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("model", metavar="MODEL", type=pathlib.Path)
     parser.add_argument("--sigma-px", type=float)
     parser.add_argument("--json", action="store_true")
     arguments = parser.parse_args()
-    found = expected_error(TextModel(arguments.model), arguments.sigma_px)
+    found = expected_error(read_model(arguments.model), arguments.sigma_px)
     if arguments.json:
         print(json.dumps(found))
-        return
+        return 0
     print(f"{found['cameras']} cameras, {found['points']} points, {found['sigma_px']:.2f} px: expected RMSE "
           f"{found['expected_rmse']:.5f}, of its greatest mode {found['greatest_mode']:.5f}")
     for pair, sigma in found["sigma_relative_scale"].items():
         print(f"scale of {pair}: sigma {100 * sigma:.3f} %")
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(end_plainly(main))

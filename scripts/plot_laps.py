@@ -17,6 +17,7 @@ import numpy
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from acceptance.trajectories import pair_up, read_centers, transform, umeyama  # noqa: E402
+from read_plainly import Unreadable, end_plainly  # noqa: E402
 
 
 def neighbours(truth, first_lap):
@@ -52,9 +53,13 @@ def main():
     parser.add_argument("picture", type=pathlib.Path)
     arguments = parser.parse_args()
     truth_of = read_centers(arguments.truth)
-    estimate, truth = pair_up(read_centers(arguments.trajectory), truth_of)
+    centers = read_centers(arguments.trajectory)
+    if not centers or not 0 < arguments.first_lap < len(truth_of):
+        raise Unreadable(f"{arguments.truth}: {len(truth_of)} pictures, {arguments.first_lap} of the first lap, and "
+                         f"{len(centers)} poses in {arguments.trajectory}: expected two laps")
+    estimate, truth = pair_up(centers, truth_of)
     last_stamp = sorted(truth_of)[arguments.first_lap - 1]
-    first_lap = sum(stamp <= last_stamp for stamp in read_centers(arguments.trajectory))
+    first_lap = sum(stamp <= last_stamp for stamp in centers)
     estimate = transform(umeyama(estimate, truth), estimate)
     pairs = neighbours(truth, first_lap)
     offset = numpy.array([estimate[b] - estimate[a] for a, b in pairs])
@@ -70,4 +75,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(end_plainly(main))

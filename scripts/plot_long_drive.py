@@ -3,6 +3,7 @@
 
 import argparse
 import csv
+import pathlib
 import sys
 
 import matplotlib
@@ -11,13 +12,19 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as pyplot
 import numpy
 
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from read_plainly import end_plainly, reads  # noqa: E402  (after the path is set)
+
+COLUMNS = ("keyframes", "resident_mib", "file_mib", "store_ms_per_keyframe")
 FIRST = 500  # keyframes after which memory may grow by what the map itself takes alone
 
 
+@reads("the table that long_drive prints")
 def read_columns(path):
     with open(path) as file:
         rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
-    return {name: [row[name] for row in rows] for name in rows[0]} if rows else {}
+    return {name: [row[name] for row in rows] for name in COLUMNS} if rows else {}
 
 
 def growth_kb(columns):
@@ -56,4 +63,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(end_plainly(main))

@@ -4,6 +4,7 @@ plot_many_merges.py MERGES.csv OUT.png"""
 
 import argparse
 import csv
+import pathlib
 import sys
 
 import matplotlib
@@ -11,7 +12,12 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as pyplot
 
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from read_plainly import end_plainly, reads  # noqa: E402  (after the path is set)
 
+
+@reads("what many_merges prints")
 def read_columns(path):
     """The numbers of the table by column; other lines are sentences."""
     with open(path) as file:
@@ -56,4 +62,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(end_plainly(main))

@@ -14,12 +14,17 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as pyplot
 import numpy
 
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from read_plainly import end_plainly, reads  # noqa: E402  (after the path is set)
+
 VERTEX = numpy.dtype([("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("red", "u1"), ("green", "u1"),
                       ("blue", "u1"), ("session", "<u4"), ("views", "<u4"), ("error", "<f4")])
 PATH_COLORS = ("red", "blue", "darkorange", "purple", "green", "brown")
 PERCENTILES = (4, 96)  # of the cloud: what the picture frames beside the path
 
 
+@reads("cloud.ply of a map")
 def read_cloud(path):
     with open(path, "rb") as file:
         header, body = file.read().split(b"end_header\n", 1)
@@ -28,10 +33,12 @@ def read_cloud(path):
     return numpy.frombuffer(body, VERTEX), unit
 
 
+@reads("a trajectory: stamp, position and quaternion a line")
 def read_poses(path):
     return {line for line in open(path) if not line.startswith("#")}
 
 
+@reads("a trajectory: stamp, position and quaternion a line")
 def read_centers(path):
     return numpy.loadtxt(path, ndmin=2)[:, 1:4] if open(path).read().strip() else numpy.zeros((0, 3))
 
@@ -92,4 +99,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(end_plainly(main))

@@ -22,6 +22,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from acceptance.trajectories import drive_paths, read_centers, transform, umeyama  # noqa: E402
 from plot_map import limits, read_cloud  # noqa: E402
+from read_plainly import end_plainly, reads  # noqa: E402
 
 COLORS = ("tab:green", "tab:red")
 
@@ -80,8 +81,13 @@ def draw_truth(folder, drives, out):
     return errors_mm
 
 
+@reads("summary.json of a map")
+def read_summary(path):
+    return json.loads(path.read_text())
+
+
 def print_tables(maps, names, errors_mm):
-    summaries = [json.loads((folder / "summary.json").read_text()) for folder in maps]
+    summaries = [read_summary(folder / "summary.json") for folder in maps]
     print("| map | projections | landmarks | RMS_N | RMS px |\n|---|---|---|---|---|")
     for name, s in zip(names, summaries):
         points = s["landmarks"] + s["landmarks_two_views"]
@@ -112,4 +118,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(end_plainly(main))

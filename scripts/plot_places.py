@@ -4,6 +4,7 @@
 import argparse
 import collections
 import csv
+import pathlib
 import sys
 
 import matplotlib
@@ -11,9 +12,14 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as pyplot
 
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from read_plainly import end_plainly, reads  # noqa: E402  (after the path is set)
+
 LABELS = {"fabmap": "FAB-MAP", "fabmap_verified": "FAB-MAP and geometry", "tf_idf": "tf-idf"}
 
 
+@reads("curves.csv of evaluate_places")
 def read_curves(path):
     curves = collections.OrderedDict()
     with open(path) as file:
@@ -47,4 +53,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(end_plainly(main))

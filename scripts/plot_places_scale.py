@@ -7,12 +7,17 @@ FIGURES.json: benchmarks --benchmark_filter='QueryPlaces|WalkPostings|PassOverPl
 --benchmark_out=FIGURES.json --benchmark_out_format=json"""
 
 import json
+import pathlib
 import sys
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of backend)
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from read_plainly import end_plainly, reads  # noqa: E402  (after the path is set)
 
 LABELS = {
     "QueryPlaces": "whole query",
@@ -21,6 +26,7 @@ LABELS = {
 }
 
 
+@reads("figures of the benchmarks as JSON")
 def read_curves(path):
     """Per benchmark the sorted pairs (places, milliseconds)."""
     curves = {name: [] for name in LABELS}
@@ -50,7 +56,8 @@ def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
     plot(read_curves(sys.argv[1]), sys.argv[2])
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(end_plainly(main))

@@ -9,7 +9,7 @@ from acceptance.users import case, ended, judge, program
 
 ODD_BAGS = ("plumb_bob_8_zeros", "rational_polynomial_zeros", "roi_full_image")
 IMAGES_OF_A_BAG = 8
-INSTALLED = ("demo_graph.py", "run_demo.py", "plot_map.py", "teleop", "map_images", "replay", "mapping")
+INSTALLED = ("demo_graph.py", "run_demo.py", "plot_map.py", "read_plainly.py", "teleop", "map_images", "replay", "mapping")
 
 
 def odd_bag(name):

@@ -46,7 +46,7 @@ def num_landmarks(folder):
 def folders(_quick):
     outcomes = [maps(case("good7"), 7), maps(case("crlf_bom"), 7), maps(case("times_scientific"), 7),
                 maps(case("spaces_in_names"), 7), maps(in_nanoseconds(), 7),
-                maps(case("times_equal_pair"), 6, "times.txt: 1 images left out"),
+                maps(case("times_equal_pair"), 6, "times.txt: 1 image left out"),
                 maps(case("png12in16"), 7)]
     eight, twelve = num_landmarks(case("good7")), num_landmarks(case("png12in16"))
     outcomes.append(("12 bits in 16", twelve >= 0.8 * eight, f"{twelve} landmarks, {eight} of 8 bits"))

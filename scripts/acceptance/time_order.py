@@ -30,7 +30,7 @@ def stamps_of(path):
 
 
 def is_one_drive(text, trajectories):
-    found = re.search(r"(\d+) sessions; (\d+) images posed", text)
+    found = re.search(r"(\d+) sessions?; (\d+) images? posed", text)
     figures = f"{found[2]} images in {found[1]} sessions" if found else text.strip()[-200:]
     rises = all(len(set(stamps)) == len(stamps) for stamps in trajectories)
     return bool(found) and found.groups() == ("1", "8") and rises, figures
@@ -42,7 +42,7 @@ def looped():
     bag.unlink(missing_ok=True)
     run("/usr/bin/python3", "-c", LOOP, CASES / "bags/good.bag", bag)
     text, trajectories = replay("loop", bag, "--overwrite")
-    found = re.search(r"(\d+) sessions;", text)
+    found = re.search(r"(\d+) sessions?;", text)
     return (bool(found) and found[1] == "2" and all(len(set(s)) == len(s) for s in trajectories),
             f"looped: {found[1] if found else 'no'} sessions")
 

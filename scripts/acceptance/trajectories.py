@@ -4,7 +4,10 @@ import math
 
 import numpy
 
+from read_plainly import reads
 
+
+@reads("a trajectory: stamp, position and quaternion a line")
 def read_centers(path):
     """{stamp in ns: camera centre} of a TUM trajectory."""
     centers = {}

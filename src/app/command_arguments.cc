@@ -1,24 +1,42 @@
 #include "rovio_sfm/app/command_arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 #include "rovio_sfm/app/load_options.h"
 #include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/util/check_options.h"
+#include "rovio_sfm/util/count_text.h"
+#include "rovio_sfm/util/load_document.h"
 
 namespace rovio_sfm {
 namespace {
 
 constexpr int kNothingPosed = 2;  // exit status
 
+// Of a pipe too.
+std::string ReadTextOf(const std::string& path) {
+  if (std::filesystem::is_directory(path)) {
+    throw std::runtime_error(path + ": is a folder; expected a YAML file");
+  }
+  std::ifstream stream(path);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream) throw std::runtime_error(path + ": cannot be read: " + std::strerror(errno));
+  return text.str();
+}
+
 template <typename Options>
 void LoadFile(const std::string& path, Options* options) {
   if (path.empty()) return;
+  const std::string yaml = ReadTextOf(path);
   try {
-    LoadOptions(YAML::LoadFile(path), "", options);
+    LoadOptions(LoadDocument(yaml), "", options);
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
@@ -40,16 +58,6 @@ void DeclareOptionFiles(CLI::App* app, MappingArguments* arguments) {
 }
 
 }  // namespace
-
-std::optional<int> ParseArguments(CLI::App* app, int argc, const char* const* argv,
-                                  std::ostream& out) {
-  try {
-    app->parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app->exit(error, out, out);
-  }
-  return std::nullopt;
-}
 
 void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
   app->add_option("--out", arguments->out, "folder for the results")->required();
@@ -131,8 +139,9 @@ int WriteLocalized(const OfflineMapper& mapper, const MapSnapshot& snapshot,
                    std::ostream& out) {
   const std::filesystem::path path = std::filesystem::path(arguments.out) / "localized.txt";
   WriteFile(path, LocalizedText(snapshot, mapper.localizations()), Overwrite::kAllow);
-  out << mapper.localizations().size() << " of " << mapper.frontend_counters().images
-      << " images posed in the map\nwrote " << std::filesystem::absolute(path).string() << "\n";
+  out << mapper.localizations().size() << " of "
+      << CountText(mapper.frontend_counters().images, "image") << " posed in the map\nwrote "
+      << std::filesystem::absolute(path).string() << "\n";
   if (!left_out.empty()) out << "left out:\n" << ReasonTable(left_out);
   if (!mapper.localizations().empty()) return 0;
   out << WhyNowhere(mapper.place_counters()) << "\n";

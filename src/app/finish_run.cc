@@ -1,5 +1,6 @@
 #include "rovio_sfm/app/finish_run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@
 #include "rovio_sfm/app/output_folder.h"
 #include "rovio_sfm/app/wait_for_end.h"
 #include "rovio_sfm/app/write_maps.h"
+#include "rovio_sfm/util/count_text.h"
 #include "rovio_sfm/util/peak_memory.h"
 #include "rovio_sfm/util/steady_clock.h"
 
@@ -58,6 +60,16 @@ PageNotes NotesOf(const MapRun& run) {
   return notes;
 }
 
+Json FormatsLeftOut(const std::vector<WrittenMap>& maps) {
+  Json sentences = Json::array();
+  for (const WrittenMap& map : maps) {
+    for (const std::string& sentence : map.left_out) {
+      sentences.push_back("map " + std::to_string(map.id.value) + ": " + sentence);
+    }
+  }
+  return sentences;
+}
+
 std::vector<WrittenMap> WriteResults(const RunToFinish& finish, const MapRun& run, Json summary,
                                      const MapFormats& formats, Overwrite overwrite) {
   if (run.stopped && FindMapsBySize(*run.snapshot).empty()) return {};
@@ -68,6 +80,7 @@ std::vector<WrittenMap> WriteResults(const RunToFinish& finish, const MapRun& ru
   std::vector<WrittenMap> maps =
       WriteAllMaps(*run.snapshot, source, formats, finish.arguments->out, overwrite);
   summary.update(MapSummaryJson(run));
+  summary["formats_left_out"] = FormatsLeftOut(maps);
   if (!maps.empty() && maps[0].densified) summary["densified"] = DensifyJson(*maps[0].densified);
   WriteFile(SummaryPath(*finish.arguments), summary.dump(2) + "\n", overwrite);
   return maps;
@@ -92,15 +105,17 @@ MapFormats QuickOnes(const MapFormats& formats) {
 void Tell(const RunToFinish& finish, const MapRun& run, const std::vector<WrittenMap>& maps,
           std::ostream& out) {
   TellStore(finish.store, out);
-  out << run.mapper.global_adjustments << " global adjustments\n"
-      << run.snapshot->sessions.size() << " sessions; " << (maps.empty() ? 0 : maps[0].num_images)
-      << " images posed in the largest map, in "
+  out << CountText(run.mapper.global_adjustments, "global adjustment") << "\n"
+      << CountText(run.snapshot->sessions.size(), "session") << "; "
+      << CountText(maps.empty() ? 0 : maps[0].num_images, "image")
+      << " posed in the largest map, in "
       << (!maps.empty() && maps[0].is_metric ? "metres" : "map units") << "\n";
   out << RefinedCameras(run);
   const std::string why = WhyInMapUnits(run);
   if (!maps.empty() && !why.empty()) out << "not metric: " << why << "\n";
   for (const WrittenMap& map : maps) {
     out << Describe(map) << "\n";
+    for (const std::string& sentence : map.left_out) out << sentence << "\n";
     if (map.densified) out << Describe(*map.densified) << "\n";
     for (const Path& file : map.files) out << "wrote " << file.string() << "\n";
   }
@@ -123,21 +138,28 @@ std::string WhyUnposed(const MapRun& run, const BootstrapOptions& start) {
   return why.str();
 }
 
+bool HasFiles(const std::vector<WrittenMap>& maps) {
+  return std::any_of(maps.begin(), maps.end(),
+                     [](const WrittenMap& map) { return !map.files.empty(); });
+}
+
 int StatusOf(const RunToFinish& finish, const std::vector<WrittenMap>& maps, std::ostream& out) {
   const MapRun& run = finish.run;
   if (run.stopped) {
-    out << "stopped by a signal: " << run.frontend.images << " of " << run.num_images
-        << " images were looked at\n";
+    out << "stopped by a signal: " << run.frontend.images << " of "
+        << CountWere(run.num_images, "image") << " looked at\n";
     return StatusOfStop();
   }
   const std::string why = WhyUnposed(run, finish.arguments->mapper.mapper.bootstrap);
   const size_t num_unposed = CountImagesWithoutPose(run);
   if (!maps.empty() && 2 * num_unposed > run.num_images) {
-    out << num_unposed << " of " << run.num_images << " images have no pose: " << why << "\n";
+    out << num_unposed << " of " << CountText(run.num_images, "image")
+        << (num_unposed == 1 ? " has" : " have") << " no pose: " << why << "\n";
   }
-  if (!maps.empty()) return 0;
-  out << "no image was registered: of " << run.num_images << " images " << run.frontend.keyframes
-      << " became keyframes; " << why << "\n";
+  if (!maps.empty()) return HasFiles(maps) ? 0 : kNothingWritten;
+  out << "no image was registered: of " << CountText(run.num_images, "image") << " "
+      << run.frontend.keyframes << " became "
+      << (run.frontend.keyframes == 1 ? "a keyframe; " : "keyframes; ") << why << "\n";
   return kNothingRegistered;
 }
 

@@ -1,7 +1,6 @@
 #include "rovio_sfm/app/store_folder.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <stdexcept>
@@ -11,16 +10,6 @@ namespace rovio_sfm {
 namespace {
 
 constexpr const char* kSideFiles[] = {"", "-wal", "-shm"};
-
-// The lock goes with the process, however it ends.
-int LockFolder(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / "map.db.lock";
-  const int lock = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (lock < 0) throw std::runtime_error(path.string() + ": cannot be made or opened");
-  if (flock(lock, LOCK_EX | LOCK_NB) == 0) return lock;
-  close(lock);
-  throw std::runtime_error(folder.string() + ": another process maps into this folder");
-}
 
 // On the disk, a folder's names too.
 void SyncFile(const std::filesystem::path& path) {
@@ -85,22 +74,21 @@ StoreFolder::StoreFolder(const std::filesystem::path& folder, ExistingStore exis
     throw std::runtime_error(file.string() +
                              " exists; give --resume to go on with it, --overwrite to replace it");
   }
-  lock_ = LockFolder(folder);
-  try {
-    if (!std::filesystem::exists(file) && std::filesystem::exists(replaced)) {
-      MoveStore(replaced, file);
-    }
-    if (exists && existing == ExistingStore::kReplace) ReplaceStore(file, replaced);
-    store_ = std::make_unique<MapStore>(file, StoreAccess::kCreate, options);
-  } catch (...) {
-    close(lock_);
-    throw;
+  lock_ = std::make_unique<FolderLock>(folder);
+  if (!std::filesystem::exists(file) && std::filesystem::exists(replaced)) {
+    MoveStore(replaced, file);
   }
+  if (exists && existing == ExistingStore::kReplace) ReplaceStore(file, replaced);
+  store_ = std::make_unique<MapStore>(file, StoreAccess::kCreate, options);
 }
 
-StoreFolder::~StoreFolder() {
-  store_.reset();
-  if (lock_ >= 0) close(lock_);
+std::unique_ptr<FolderLock> LockStoreFile(const std::filesystem::path& store) {
+  const std::filesystem::path file = std::filesystem::weakly_canonical(store);
+  const std::filesystem::path folder = file.parent_path();
+  if (file != StoreFolder::FileIn(folder) && file != StoreFolder::ReplacedIn(folder)) {
+    return nullptr;
+  }
+  return std::make_unique<FolderLock>(folder);
 }
 
 void StoreFolder::DropReplaced() { RemoveStore(ReplacedIn(folder_)); }

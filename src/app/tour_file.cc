@@ -9,6 +9,7 @@
 
 #include "rovio_sfm/app/option_reader.h"
 #include "rovio_sfm/util/degrees.h"
+#include "rovio_sfm/util/load_document.h"
 
 namespace rovio_sfm {
 namespace {
@@ -49,7 +50,7 @@ TourWayPoint ReadWayPoint(const YAML::Node& node, const std::string& path) {
 std::vector<TourWayPoint> ParseTourWayPoints(const std::string& yaml, const std::string& source) {
   YAML::Node root;
   try {
-    root = YAML::Load(yaml);
+    root = LoadDocument(yaml);
   } catch (const YAML::Exception& error) {
     throw std::runtime_error(source + ": " + error.what());
   }

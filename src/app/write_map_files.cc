@@ -14,6 +14,7 @@
 #include "rovio_sfm/io/named_file.h"
 #include "rovio_sfm/report/drive_names.h"
 #include "rovio_sfm/report/level_session.h"
+#include "rovio_sfm/util/count_text.h"
 
 namespace rovio_sfm {
 namespace {
@@ -201,7 +202,8 @@ void PrintWritten(const WrittenFiles& written, std::ostream& out) {
   if (written.densified) out << Describe(*written.densified) << "\n";
   for (const fs::path& path : written.paths) out << "wrote " << path.string() << "\n";
   if (written.num_missing_pictures > 0) {
-    out << written.num_missing_pictures << " pictures were not at hand and are not among them\n";
+    out << CountWere(written.num_missing_pictures, "picture")
+        << " not at hand and not written with the rest\n";
   }
 }
 

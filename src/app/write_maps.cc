@@ -5,6 +5,7 @@
 #include <set>
 
 #include "rovio_sfm/app/write_map_files.h"
+#include "rovio_sfm/util/count_text.h"
 
 namespace rovio_sfm {
 namespace {
@@ -44,17 +45,18 @@ std::vector<WrittenMap> WriteAllMaps(const MapSnapshot& snapshot, const MapSourc
     const Path place = FolderOf(folder, written.size());
     std::filesystem::create_directories(place);
     const WrittenFiles files = WriteMapFiles(map, source, formats, place, overwrite);
-    written.push_back(
-        {map.id, PosedImages(map).size(), map.scale.has_value(), files.paths, files.densified});
+    if (place != folder && std::filesystem::is_empty(place)) std::filesystem::remove(place);
+    written.push_back({map.id, PosedImages(map).size(), map.scale.has_value(),
+                       std::filesystem::absolute(place), files.paths, files.left_out,
+                       files.densified});
   }
   if (overwrite == Overwrite::kAllow) RemoveOlder(folder, written);
   return written;
 }
 
 std::string Describe(const WrittenMap& map) {
-  return "map " + std::to_string(map.id.value) + ": " + std::to_string(map.num_images) +
-         " images, in " + (map.is_metric ? "metres" : "map units") + ", in " +
-         map.files.front().parent_path().string();
+  return "map " + std::to_string(map.id.value) + ": " + CountText(map.num_images, "image") +
+         ", in " + (map.is_metric ? "metres" : "map units") + ", in " + map.folder.string();
 }
 
 std::vector<Path> FindMapFiles(const Path& folder) {

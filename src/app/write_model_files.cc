@@ -55,7 +55,7 @@ class ModelWriter {
                                           const ModelImage& image, const MapModel& model) {
     try {
       return UndistortImage(picture, model.cameras[image.camera]);
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       throw std::runtime_error("picture of frame " + image.id.ToString() + ": " + error.what());
     }
   }

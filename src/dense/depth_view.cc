@@ -20,6 +20,7 @@ cv::Matx33d MatrixOf(const Camera& camera) {
 }  // namespace
 
 DepthView MakeDepthView(const std::vector<uint8_t>& encoded, const Camera& camera) {
+  if (encoded.empty()) throw std::runtime_error("picture: no bytes");
   const cv::Mat picture = cv::imdecode(encoded, cv::IMREAD_COLOR);
   if (picture.cols != camera.width || picture.rows != camera.height) {
     throw std::runtime_error("picture: size = " + SizeText(picture.cols, picture.rows) +

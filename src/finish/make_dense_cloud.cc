@@ -10,6 +10,15 @@
 namespace rovio_sfm {
 namespace {
 
+DepthView ViewOf(const std::vector<uint8_t>& picture, const ModelImage& image,
+                 const MapModel& model) {
+  try {
+    return MakeDepthView(picture, model.cameras[image.camera]);
+  } catch (const std::exception& error) {
+    throw std::runtime_error("frame " + image.id.ToString() + ": " + error.what());
+  }
+}
+
 // The views whose pictures are kept and that see enough; neighbours are indices among them.
 std::vector<DepthView> ReadViews(const MapModel& model, const ReadPicture& read,
                                  const NeighborOptions& options) {
@@ -23,7 +32,7 @@ std::vector<DepthView> ReadViews(const MapModel& model, const ReadPicture& read,
     if (picture == nullptr) continue;
     ++num_pictures;
     if (surroundings[i].near <= 0.0) continue;
-    DepthView view = MakeDepthView(*picture, model.cameras[model.images[i].camera]);
+    DepthView view = ViewOf(*picture, model.images[i], model);
     view.cam_from_map = model.images[i].cam_from_map;
     view.near = surroundings[i].near, view.far = surroundings[i].far;
     view.typical = surroundings[i].typical;

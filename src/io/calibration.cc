@@ -6,7 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "rovio_sfm/geometry/check_calibration.h"
 #include "rovio_sfm/io/text_file.h"
+#include "rovio_sfm/util/load_document.h"
 
 namespace rovio_sfm {
 namespace {
@@ -26,6 +28,12 @@ T Value(const YAML::Node& node, const std::filesystem::path& path, const std::st
   } catch (const YAML::Exception& error) {
     Fail(path, "key " + key + ": " + error.what());
   }
+}
+
+int Pixels(const YAML::Node& root, const std::filesystem::path& path, const std::string& key) {
+  const auto text = Value<std::string>(root, path, key);
+  if (IsDecimal(text)) return Value<int>(root, path, key);
+  Fail(path, "key " + key + ": expected a whole number, not '" + text + "'");
 }
 
 std::vector<double> Matrix(const YAML::Node& root, const std::filesystem::path& path,
@@ -61,8 +69,8 @@ Camera CameraFromYaml(const YAML::Node& root, const std::filesystem::path& path)
   Camera camera;
   camera.fx = k[0], camera.cx = k[2], camera.fy = k[4], camera.cy = k[5];
   camera.k1 = d[0], camera.k2 = d[1], camera.p1 = d[2], camera.p2 = d[3], camera.k3 = d[4];
-  camera.width = Value<int>(root, path, "image_width");
-  camera.height = Value<int>(root, path, "image_height");
+  camera.width = Pixels(root, path, "image_width");
+  camera.height = Pixels(root, path, "image_height");
   return camera;
 }
 
@@ -89,7 +97,7 @@ Camera ReadCalibrationText(const std::filesystem::path& path) {
   camera.width = line.PositiveInteger(9, "width");
   camera.height = line.PositiveInteger(10, "height");
   std::string error;
-  if (!camera.IsValid(&error)) line.Fail(error);
+  if (!IsValidCalibration(camera, &error)) line.Fail(error);
   return camera;
 }
 
@@ -97,14 +105,14 @@ Camera ReadCameraInfo(const std::filesystem::path& path) {
   const std::vector<uint8_t> bytes = ReadBytes(path, kMaxYamlBytes);
   YAML::Node root;
   try {
-    root = YAML::Load(std::string(bytes.begin(), bytes.end()));
+    root = LoadDocument(std::string(bytes.begin(), bytes.end()));
   } catch (const YAML::Exception& error) {
     Fail(path, error.what());
   }
   if (!root.IsMap()) Fail(path, "expected a map of keys");
   const Camera camera = CameraFromYaml(root, path);
   std::string error;
-  if (!camera.IsValid(&error)) Fail(path, error);
+  if (!IsValidCalibration(camera, &error)) Fail(path, error);
   return camera;
 }
 

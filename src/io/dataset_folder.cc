@@ -6,6 +6,7 @@
 #include "rovio_sfm/io/calibration.h"
 #include "rovio_sfm/io/odometry_file.h"
 #include "rovio_sfm/io/text_file.h"
+#include "rovio_sfm/util/count_text.h"
 #include "rovio_sfm/util/log.h"
 
 namespace rovio_sfm {
@@ -22,6 +23,16 @@ void RequireInside(const TextLine& line, const std::filesystem::path& name) {
   }
 }
 
+// A link may lead nowhere, or round in a circle. Empty: it is a file.
+std::string WhyNoFile(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (std::filesystem::is_regular_file(status)) return "";
+  if (std::filesystem::exists(status)) return "no file, but something else:";
+  const bool is_missing = status.type() == std::filesystem::file_type::not_found;
+  return is_missing ? "no such file" : error.message() + ":";
+}
+
 // The name is the rest of the line: it may hold blanks.
 DatasetImage ParseImage(const TextLine& line, const std::filesystem::path& folder) {
   if (line.fields.size() < 2) line.RequireFields(2, "timestamp filename");
@@ -30,12 +41,8 @@ DatasetImage ParseImage(const TextLine& line, const std::filesystem::path& folde
   image.name = line.From(1);
   RequireInside(line, image.name);
   image.path = folder / image.name;
-  if (!std::filesystem::is_regular_file(image.path)) {
-    const bool exists = std::filesystem::exists(image.path);
-    line.Fail("field filename: " +
-              std::string(exists ? "no file, but something else: " : "no such file ") +
-              image.path.string());
-  }
+  const std::string reason = WhyNoFile(image.path);
+  if (!reason.empty()) line.Fail("field filename: " + reason + " " + image.path.string());
   return image;
 }
 
@@ -52,9 +59,8 @@ void TellLate(const std::vector<TextLine>& late, bool has_overlaps) {
   if (late.empty()) return;
   const std::string reason = "field timestamp: expected a later one than the line before";
   if (has_overlaps) late.front().Fail(reason + ", as overlaps.txt numbers the images");
-  LogWarning(late.front().file + ": " + std::to_string(late.size()) +
-             " images left out, the first in line " + std::to_string(late.front().number) + ": " +
-             reason);
+  LogWarning(late.front().file + ": " + CountText(late.size(), "image") +
+             " left out, the first in line " + std::to_string(late.front().number) + ": " + reason);
 }
 
 std::vector<DatasetImage> ReadImageList(const std::filesystem::path& folder) {

@@ -24,6 +24,15 @@ int FlagsOf(StoreAccess access) {
                    std::to_string(sqlite3_extended_errcode(database)) + ")");
 }
 
+// What SQLite calls an I/O error, or unable; empty: it may be opened.
+std::string WhyNoFile(const std::filesystem::path& path, StoreAccess access) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (std::filesystem::is_directory(status)) return "is a folder; expected a map store (map.db)";
+  if (std::filesystem::exists(status) || access == StoreAccess::kCreate) return "";
+  return status.type() == std::filesystem::file_type::not_found ? "no such file" : error.message();
+}
+
 }  // namespace
 
 Rows::~Rows() {
@@ -60,6 +69,8 @@ Blob Rows::Bytes(int column) const {
 StoreDatabase::StoreDatabase(const std::filesystem::path& path, StoreAccess access,
                              const std::string& vfs)
     : file_(path.string()) {
+  const std::string reason = vfs.empty() ? WhyNoFile(path, access) : "";
+  if (!reason.empty()) throw StoreError(file_ + ": cannot be opened: " + reason);
   const int flags = FlagsOf(access) | SQLITE_OPEN_NOMUTEX;
   const char* const name = vfs.empty() ? nullptr : vfs.c_str();
   if (sqlite3_open_v2(path.c_str(), &database_, flags, name) == SQLITE_OK) {

@@ -16,6 +16,7 @@ cv::Matx33d MatrixOf(const Camera& camera) {
 }
 
 cv::Mat DecodeImage(const std::vector<uint8_t>& encoded, const Camera& camera) {
+  if (encoded.empty()) throw std::runtime_error("a picture has no bytes");
   cv::Mat image = cv::imdecode(encoded, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
   if (image.cols == camera.width && image.rows == camera.height) return image;
   throw std::runtime_error("a picture has " + std::to_string(image.cols) + " x " +

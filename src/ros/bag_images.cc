@@ -35,12 +35,14 @@ BagImages::BagImages(const BagDrive& drive, const SensorOptions& options,
       sensors_(ForWholeBag(options, drive.robot), &transforms_),
       base_frame_(ForWholeBag(options, drive.robot).base_frame) {
   OpenBag(drive.bag, &bag_);
-  ReadMotion(drive.odom_topic);
-  if (camera) {
-    cameras_.emplace(ros::Time(), ToCameraInfo(*camera, 0, ""));
-  } else {
-    ReadCameras(drive.info_topic);
-  }
+  WithBagNamed(drive.bag, [&] {
+    ReadMotion(drive.odom_topic);
+    if (camera) {
+      cameras_.emplace(ros::Time(), ToCameraInfo(*camera, 0, ""));
+    } else {
+      ReadCameras(drive.info_topic);
+    }
+  });
   view_ = std::make_unique<rosbag::View>(bag_, rosbag::TopicQuery(drive.image_topic));
   num_images_ = view_->size();
   next_ = view_->begin();

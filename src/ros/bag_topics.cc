@@ -108,14 +108,18 @@ void AddDrivesOf(const std::filesystem::path& path, const BagTopics& wanted,
 }  // namespace
 
 void OpenBag(const std::filesystem::path& path, rosbag::Bag* bag) {
-  try {
-    bag->open(path.string(), rosbag::bagmode::Read);
-  } catch (const rosbag::BagUnindexedException&) {
-    throw std::runtime_error(path.string() + ": was not closed when it was recorded; " +
-                             "`rosbag reindex " + path.string() + "` mends it");
-  } catch (const rosbag::BagException& error) {
-    throw std::runtime_error(path.string() + ": " + error.what());
+  if (std::filesystem::is_directory(path)) {
+    throw std::runtime_error(path.string() + ": is a folder; expected a bag");
   }
+  if (!std::filesystem::exists(path)) throw std::runtime_error(path.string() + ": no such file");
+  WithBagNamed(path, [&] {
+    try {
+      bag->open(path.string(), rosbag::bagmode::Read);
+    } catch (const rosbag::BagUnindexedException&) {
+      throw std::runtime_error(path.string() + ": was not closed when it was recorded; " +
+                               "`rosbag reindex " + path.string() + "` mends it");
+    }
+  });
 }
 
 std::string TopicsOfType(const rosbag::Bag& bag, const std::vector<std::string>& types) {
@@ -134,7 +138,9 @@ std::string TopicsOfType(const rosbag::Bag& bag, const std::vector<std::string>&
 std::vector<BagDrive> FindDrives(const std::vector<std::filesystem::path>& bags,
                                  const BagTopics& topics) {
   std::vector<BagDrive> drives;
-  for (const std::filesystem::path& path : bags) AddDrivesOf(path, topics, &drives);
+  for (const std::filesystem::path& path : bags) {
+    WithBagNamed(path, [&] { AddDrivesOf(path, topics, &drives); });
+  }
   return drives;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rovio_sfm/geometry/check_calibration.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -155,7 +157,7 @@ std::optional<Camera> FromMessage(const CameraMsg& message, std::string* error) 
   camera.k3 = message.k3;
   camera.width = static_cast<int>(std::min<uint32_t>(message.width, 1u << 30));
   camera.height = static_cast<int>(std::min<uint32_t>(message.height, 1u << 30));
-  if (!camera.IsValid(error)) return std::nullopt;
+  if (!IsValidCalibration(camera, error)) return std::nullopt;
   return camera;
 }
 

@@ -5,6 +5,7 @@
 #include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/ros/export_folder.h"
 #include "rovio_sfm/ros/status.h"
+#include "rovio_sfm/util/count_text.h"
 
 namespace rovio_sfm {
 namespace {
@@ -29,10 +30,11 @@ void Write(const LevelMap& map, const MapSource& source, const MapFormats& forma
   std::string message = "map " + std::to_string(map.id.value) + " written to " +
                         std::filesystem::absolute(folder).string();
   if (written.num_missing_pictures > 0) {
-    message += "; " + std::to_string(written.num_missing_pictures) + " pictures were not at hand";
+    message += "; " + CountWere(written.num_missing_pictures, "picture") + " not at hand";
   }
   for (const std::string& sentence : written.left_out) message += "; " + sentence;
   response->status = Ok(message);
+  if (written.paths.empty()) response->status = FailedPrecondition(written.left_out.front());
 }
 
 bool ReadFormatNames(const std::string& names, MapFormats* formats, Status* status) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "rovio_sfm/ros/status.h"
+#include "rovio_sfm/util/count_text.h"
 
 namespace rovio_sfm {
 
@@ -25,9 +26,8 @@ bool FramePage::Add(const FrameEventMsg& event) {
 }
 
 GetFramesResponse FramePage::Take(const char* none) {
-  response_.status = response_.frames.empty()
-                         ? NotFound(none)
-                         : Ok(std::to_string(response_.frames.size()) + " frames");
+  response_.status =
+      response_.frames.empty() ? NotFound(none) : Ok(CountText(response_.frames.size(), "frame"));
   return std::move(response_);
 }
 

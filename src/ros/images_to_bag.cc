@@ -12,12 +12,13 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/app/output_folder.h"
 #include "rovio_sfm/io/odometry_file.h"
 #include "rovio_sfm/io/text_file.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/count_text.h"
+#include "rovio_sfm/util/parse_arguments.h"
 #include "rovio_sfm/util/stop_signals.h"
 
 namespace rovio_sfm {
@@ -176,10 +177,11 @@ int ImagesToBagCommand(int argc, const char* const* argv, std::ostream& out) {
   DatasetFolder dataset = EveryNth(ReadDatasetFolder(folder), stride);
   if (max_images > 0 && dataset.images.size() > max_images) dataset.images.resize(max_images);
   const size_t num_written = WriteBag(dataset, robot, bag, overwrite);
-  out << num_written << " images in " << std::filesystem::absolute(bag).string() << "\n";
+  out << CountText(num_written, "image") << " in " << std::filesystem::absolute(bag).string()
+      << "\n";
   if (!IsStopRequested()) return 0;
-  out << "stopped by a signal: " << num_written << " of " << dataset.images.size()
-      << " images are in the bag\n";
+  out << "stopped by a signal: " << num_written << " of "
+      << CountWere(dataset.images.size(), "image") << " put into the bag\n";
   return StatusOfStop();
 }
 

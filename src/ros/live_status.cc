@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "rovio_sfm/scene/merge_report.h"
+#include "rovio_sfm/util/count_text.h"
 
 namespace rovio_sfm {
 namespace {
@@ -87,13 +88,15 @@ Json FiguresJson(const MapStatus& status, const MapSummary& map) {
 Json WarningsJson(const MapStatus& status) {
   Json warnings = status.why_not_metric;
   if (!status.store_error.empty()) warnings.push_back("Maps are not saved: " + status.store_error);
-  const auto tell = [&](uint32_t count, const char* what) {
-    if (count > 0) warnings.push_back(std::to_string(count) + what);
+  const auto tell = [&](uint32_t count, const std::string& what) {
+    if (count > 0) warnings.push_back(what);
   };
-  tell(status.num_refused, " frame events were malformed");
-  tell(status.num_missing, " frames never arrived");
-  tell(status.num_dropped, " frame events were dropped because a queue was full");
-  tell(status.num_gaps_lost, " gaps in drives were not answered for in time");
+  tell(status.num_refused, CountWere(status.num_refused, "frame event") + " malformed");
+  tell(status.num_missing, CountText(status.num_missing, "frame") + " never arrived");
+  tell(status.num_dropped,
+       CountWere(status.num_dropped, "frame event") + " dropped because a queue was full");
+  tell(status.num_gaps_lost,
+       CountText(status.num_gaps_lost, "gap") + " in drives not answered for in time");
   return warnings;
 }
 

@@ -10,6 +10,7 @@
 #include "rovio_sfm/ros/mapping_node.h"
 #include "rovio_sfm/ros/status.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/count_text.h"
 #include "rovio_sfm/util/steady_clock.h"
 
 namespace rovio_sfm {
@@ -42,8 +43,8 @@ bool MappingNode::ListSessions(ListSessionsRequest&, ListSessionsResponse& respo
   const MapPicture picture = engine_.Picture();
   response.sessions = SessionSummaries(*picture.snapshot);
   response.maps = MapSummaries(*picture.snapshot);
-  response.status = Ok(std::to_string(response.sessions.size()) + " sessions in " +
-                       std::to_string(response.maps.size()) + " maps");
+  response.status = Ok(CountText(response.sessions.size(), "session") + " in " +
+                       CountText(response.maps.size(), "map"));
   return true;
 }
 

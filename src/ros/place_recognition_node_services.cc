@@ -8,6 +8,7 @@
 #include "rovio_sfm/ros/place_recognition_node.h"
 #include "rovio_sfm/ros/status.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/count_text.h"
 
 namespace rovio_sfm {
 namespace {
@@ -54,9 +55,10 @@ bool PlaceRecognitionNode::FindOverlaps(FindOverlapsRequest& request,
       },
       kCallLane, &worker_);
   for (const PlaceMatch& match : matches) response.matches.push_back(ToMessage(match, 0));
-  response.status = has_run ? Ok(std::to_string(num_compared) + " keyframes compared, " +
-                                 std::to_string(matches.size()) + " matches")
-                            : Internal(kDropped);
+  response.status =
+      has_run ? Ok(CountText(num_compared, "keyframe") + " compared, " +
+                   std::to_string(matches.size()) + (matches.size() == 1 ? " match" : " matches"))
+              : Internal(kDropped);
   return true;
 }
 

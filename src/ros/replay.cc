@@ -19,7 +19,9 @@
 #include "rovio_sfm/ros/bag_images.h"
 #include "rovio_sfm/ros/bag_pictures.h"
 #include "rovio_sfm/util/check_options.h"
+#include "rovio_sfm/util/count_text.h"
 #include "rovio_sfm/util/keep_memory.h"
+#include "rovio_sfm/util/parse_arguments.h"
 #include "rovio_sfm/util/steady_clock.h"
 #include "rovio_sfm/util/stop_signals.h"
 
@@ -71,8 +73,8 @@ void CompleteOptions(Arguments* arguments) {
 // An older recording may hold what a mapper published beside it.
 void TellMapEdges(const BagDrive& drive, const BagImages& images, std::ostream& out) {
   if (images.NumMapEdges() == 0) return;
-  out << images.NumMapEdges() << " transforms of the map that was made while recording "
-      << drive.bag.string() << " left out\n";
+  out << CountText(images.NumMapEdges(), "transform")
+      << " of the map that was made while recording " << drive.bag.string() << " left out\n";
 }
 
 // All bags are looked at before the first is mapped.
@@ -100,8 +102,8 @@ void MapDrive(const BagDrive& drive, const Arguments& arguments, OfflineMapper* 
     bar.Show(++num_done, SteadySeconds() - start_s);
   }
   bar.Finish(SteadySeconds() - start_s);
-  out << drive.bag.string() << ": " << num_done << " images of " << drive.robot << ", "
-      << images.NumRefused() << " messages refused\n";
+  out << drive.bag.string() << ": " << CountText(num_done, "image") << " of " << drive.robot << ", "
+      << CountText(images.NumRefused(), "message") << " refused\n";
   for (const auto& [reason, count] : images.Refusals()) CountReason(reason, &run->left_out, count);
   TellMapEdges(drive, images, out);
   if (const auto why = images.WhyNotMetric()) run->why_no_scale = *why;

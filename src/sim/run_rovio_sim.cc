@@ -12,6 +12,8 @@
 #include "rovio_sfm/sim/serve_simulated_robot.h"
 #include "rovio_sfm/sim/tour/audit.h"
 #include "rovio_sfm/sim/tour/render_tour.h"
+#include "rovio_sfm/util/count_text.h"
+#include "rovio_sfm/util/parse_arguments.h"
 
 namespace rovio_sfm::sim {
 namespace {
@@ -44,7 +46,9 @@ std::string ListQuirks() {
 
 void AddServeArguments(CLI::App& app, Arguments* arguments) {
   SocketServerOptions& socket = arguments->serve.server.socket;
-  app.add_option("--port", socket.port, "TCP port; 0 takes a free one")->default_val(8080);
+  app.add_option("--port", socket.port, "TCP port; 0 takes a free one")
+      ->default_val(8080)
+      ->check(CLI::Range(0, 65535));
   app.add_option("--bind", socket.address, "IPv4 address to listen on; 0.0.0.0 for all")
       ->default_val(socket.address);
   app.add_option("--quirk", arguments->serve.quirks, ListQuirks());
@@ -125,7 +129,7 @@ int SurfaceByArguments(Arguments* arguments) {
   arguments->render.config_folder = FindConfigFolder(arguments->config_folder);
   arguments->render.tour = arguments->surface;
   const size_t count = WriteTourSurface(arguments->render);
-  std::cout << count << " points of " << arguments->surface << " in "
+  std::cout << CountText(count, "point") << " of " << arguments->surface << " in "
             << std::filesystem::absolute(arguments->render.out_folder).string() << std::endl;
   return 0;
 }
@@ -133,7 +137,8 @@ int SurfaceByArguments(Arguments* arguments) {
 int RenderByArguments(Arguments* arguments) {
   arguments->render.config_folder = FindConfigFolder(arguments->config_folder);
   const int count = RenderTour(arguments->render);
-  std::cout << count << " pictures of " << arguments->render.tour << " in "
+  std::cout << CountText(static_cast<uint64_t>(count), "picture") << " of "
+            << arguments->render.tour << " in "
             << std::filesystem::absolute(arguments->render.out_folder).string() << std::endl;
   return 0;
 }
@@ -150,11 +155,7 @@ int RunRovioSim(int argc, const char* const* argv) {
       ->default_val("visionlab");
   AddServeArguments(app, &arguments);
   AddRenderArguments(app, &arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error);
-  }
+  if (const auto status = ParseArguments(&app, argc, argv, std::cout)) return *status;
   ChooseCamera(&arguments);
   if (!arguments.images.empty()) {
     return ServeImages(arguments.serve, arguments.images, arguments.repeats);

@@ -7,12 +7,12 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/io/calibration.h"
 #include "rovio_sfm/io/write_file.h"
 #include "rovio_sfm/tools/list_images.h"
 #include "rovio_sfm/tools/read_picture.h"
 #include "rovio_sfm/util/check_options.h"
+#include "rovio_sfm/util/parse_arguments.h"
 
 namespace rovio_sfm {
 namespace {

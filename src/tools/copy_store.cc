@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "rovio_sfm/app/store_folder.h"
 #include "rovio_sfm/mapping/make_keyframe.h"
 
 namespace rovio_sfm {
@@ -21,6 +22,7 @@ class NewStore {
     if (std::filesystem::exists(path)) {
       throw StoreError(path.string() + ": not overwritten: file exists");
     }
+    lock_ = LockStoreFile(path);
     store_ = std::make_unique<MapStore>(path, StoreAccess::kCreate);
   }
   ~NewStore() {
@@ -39,6 +41,7 @@ class NewStore {
 
  private:
   std::filesystem::path path_;
+  std::unique_ptr<FolderLock> lock_;
   std::unique_ptr<MapStore> store_;
   bool is_complete_ = false;
 };

@@ -8,12 +8,12 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/app/place_model_option.h"
 #include "rovio_sfm/io/write_file.h"
 #include "rovio_sfm/tools/place_trial.h"
 #include "rovio_sfm/util/check_options.h"
 #include "rovio_sfm/util/keep_memory.h"
+#include "rovio_sfm/util/parse_arguments.h"
 
 namespace rovio_sfm {
 namespace {

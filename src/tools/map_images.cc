@@ -13,6 +13,7 @@
 #include "rovio_sfm/io/dataset_folder.h"
 #include "rovio_sfm/io/text_file.h"
 #include "rovio_sfm/util/keep_memory.h"
+#include "rovio_sfm/util/parse_arguments.h"
 #include "rovio_sfm/util/steady_clock.h"
 #include "rovio_sfm/util/stop_signals.h"
 

@@ -1,15 +1,17 @@
 #include "rovio_sfm/tools/map_tool.h"
 
 #include <CLI/CLI.hpp>
+#include <limits>
 #include <ostream>
 #include <stdexcept>
 
-#include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/app/mapper.h"
 #include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/report/level_map.h"
 #include "rovio_sfm/tools/copy_store.h"
 #include "rovio_sfm/tools/store_contents.h"
+#include "rovio_sfm/util/count_text.h"
+#include "rovio_sfm/util/parse_arguments.h"
 
 namespace rovio_sfm {
 namespace {
@@ -23,16 +25,17 @@ struct Arguments {
 
 void TellCopy(const StoreCopyReport& report, const std::string& file, std::ostream& out) {
   for (const std::string& lost : report.lost) out << "lost: " << lost << "\n";
-  out << "copied " << report.num_frames << " frames, " << report.num_sessions << " sessions and "
-      << report.num_edits << " overlaps\nwrote " << std::filesystem::absolute(file).string()
-      << "\n";
+  out << "copied " << CountText(report.num_frames, "frame") << ", "
+      << CountText(report.num_sessions, "session") << " and "
+      << CountText(report.num_edits, "overlap") << "\nwrote "
+      << std::filesystem::absolute(file).string() << "\n";
 }
 
 int Check(const Arguments& arguments, std::ostream& out) {
   const std::vector<std::string> faults = FindStoreFaults(arguments.file);
   for (const std::string& fault : faults) out << fault << "\n";
   out << arguments.file << ": "
-      << (faults.empty() ? "sound" : std::to_string(faults.size()) + " faults; see map_tool repair")
+      << (faults.empty() ? "sound" : CountText(faults.size(), "fault") + "; see map_tool repair")
       << "\n";
   return faults.empty() ? 0 : 1;
 }
@@ -41,10 +44,9 @@ int Prune(const Arguments& arguments, std::ostream& out) {
   if (!arguments.prune.images && !arguments.prune.descriptors) {
     throw std::runtime_error("prune: expected --images, --descriptors or both");
   }
-  const auto before = std::filesystem::file_size(arguments.file);
-  const size_t count = PruneStore(arguments.file, arguments.prune);
-  out << "forgot " << count << " rows: " << before / 1024 << " KiB before, "
-      << std::filesystem::file_size(arguments.file) / 1024 << " KiB now\n";
+  const StorePruneReport report = PruneStore(arguments.file, arguments.prune);
+  out << "forgot " << CountText(report.num_rows, "row") << ": " << report.bytes_before / 1024
+      << " KiB before, " << report.bytes_after / 1024 << " KiB now\n";
   return 0;
 }
 
@@ -68,8 +70,9 @@ int Export(const Arguments& arguments, std::ostream& out) {
       PageNotes{mapper.MergeReports()},
       [&](const ModelImage& image) { return store.Get(image.id); }};
   const MapFormats formats = ReadFormats(arguments.formats);
-  PrintWritten(WriteMapFiles(*map, source, formats, arguments.out, overwrite), out);
-  return 0;
+  const WrittenFiles written = WriteMapFiles(*map, source, formats, arguments.out, overwrite);
+  PrintWritten(written, out);
+  return written.paths.empty() ? 1 : 0;
 }
 
 CLI::App* AddCommand(const std::string& name, const std::string& what, Arguments* arguments,
@@ -109,7 +112,8 @@ Commands Declare(Arguments* arguments, CLI::App* app) {
   commands.export_files->add_option("--out", arguments->out, "folder for the files")->required();
   commands.export_files->add_option("--format", arguments->formats,
                                     "with commas between: " + FormatNames());
-  commands.export_files->add_option("--map", arguments->map, "else the largest");
+  commands.export_files->add_option("--map", arguments->map, "else the largest")
+      ->check(CLI::Range(uint32_t{1}, std::numeric_limits<uint32_t>::max()));
   commands.export_files->add_flag("--overwrite", arguments->overwrite, "replace files");
   return commands;
 }

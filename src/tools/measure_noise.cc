@@ -6,9 +6,9 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/tools/list_images.h"
 #include "rovio_sfm/tools/read_picture.h"
+#include "rovio_sfm/util/parse_arguments.h"
 
 namespace rovio_sfm {
 namespace {

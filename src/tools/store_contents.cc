@@ -2,11 +2,14 @@
 
 #include <iomanip>
 #include <map>
+#include <memory>
 #include <ostream>
 
 #include "rovio_sfm/app/mapper.h"
+#include "rovio_sfm/app/store_folder.h"
 #include "rovio_sfm/io/map_store_schema.h"
 #include "rovio_sfm/tools/copy_store.h"
+#include "rovio_sfm/util/count_text.h"
 
 namespace rovio_sfm {
 namespace {
@@ -30,9 +33,11 @@ void TellDrives(const StoredFrames& frames, std::ostream& out) {
   out << "drives    " << drives.size() << "\n";
   for (const DriveRecord& drive : drives) {
     const MapperCounters& counters = drive.state.counters;
-    out << "  " << drive.id.ToString() << ": " << frames.ReadIndices(drive.id).size()
-        << " frames, of them " << counters.keyframes << " keyframes and " << counters.light_frames
-        << " light frames in a map; goes on at " << drive.state.next_index.value_or(0) << "\n";
+    out << "  " << drive.id.ToString() << ": "
+        << CountText(frames.ReadIndices(drive.id).size(), "frame") << ", of them "
+        << CountText(counters.keyframes, "keyframe") << " and "
+        << CountText(counters.light_frames, "light frame") << " in a map; goes on at "
+        << drive.state.next_index.value_or(0) << "\n";
   }
 }
 
@@ -41,8 +46,8 @@ void TellSession(const SessionSnapshot& session, std::ostream& out) {
   for (const auto& block : session.frames) num_frames += block->size();
   for (const auto& block : session.landmarks) num_landmarks += block->size();
   out << "  " << session.id.value << ": map " << session.map.value << ", drive "
-      << session.drive.ToString() << ", " << NameOf(session.state) << ", " << num_frames
-      << " posed frames, " << num_landmarks << " landmarks";
+      << session.drive.ToString() << ", " << NameOf(session.state) << ", "
+      << CountText(num_frames, "posed frame") << ", " << CountText(num_landmarks, "landmark");
   if (session.scale) out << ", " << session.scale->metres_per_unit << " m a unit";
   out << "\n";
 }
@@ -76,7 +81,8 @@ void TellSizes(StoreDatabase* database, std::ostream& out) {
         std::pair("journal", "SELECT count(*), total(length(entries)) FROM journal")}) {
     Rows rows = database->Query(text);
     rows.Next();
-    out << std::left << std::setw(12) << what << rows.Int(0) << " rows, " << std::fixed
+    out << std::left << std::setw(12) << what
+        << CountText(static_cast<uint64_t>(rows.Int(0)), "row") << ", " << std::fixed
         << std::setprecision(1) << rows.Double(1) / 1024.0 << " KiB\n";
   }
 }
@@ -177,8 +183,11 @@ std::vector<std::string> FindStoreFaults(const std::filesystem::path& file) {
   return faults;
 }
 
-size_t PruneStore(const std::filesystem::path& file, const PruneChoice& choice) {
+StorePruneReport PruneStore(const std::filesystem::path& file, const PruneChoice& choice) {
   StoreDatabase database(file, StoreAccess::kWrite);
+  const std::unique_ptr<FolderLock> lock = LockStoreFile(file);
+  StorePruneReport report;
+  report.bytes_before = std::filesystem::file_size(file);
   OpenSchema(StoreAccess::kWrite, &database);
   const std::string drives = PlaceholdersOf(choice, StoredFrames(&database));
   const std::string which =
@@ -194,7 +203,9 @@ size_t PruneStore(const std::filesystem::path& file, const PruneChoice& choice) 
   if (choice.images) database.Execute("DELETE FROM image" + which);
   if (choice.descriptors) database.Execute("DELETE FROM descriptors" + which);
   database.Execute("COMMIT; VACUUM; PRAGMA wal_checkpoint(TRUNCATE)");
-  return before - count();
+  report.num_rows = before - count();
+  report.bytes_after = std::filesystem::file_size(file);
+  return report;
 }
 
 }  // namespace rovio_sfm

@@ -9,13 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/app/output_folder.h"
 #include "rovio_sfm/app/place_model_file.h"
 #include "rovio_sfm/app/progress_bar.h"
 #include "rovio_sfm/tools/list_images.h"
 #include "rovio_sfm/tools/train_place_model.h"
 #include "rovio_sfm/util/check_options.h"
+#include "rovio_sfm/util/count_text.h"
+#include "rovio_sfm/util/parse_arguments.h"
 #include "rovio_sfm/util/steady_clock.h"
 #include "rovio_sfm/util/stop_signals.h"
 
@@ -108,8 +109,9 @@ void EndAtSignal(const std::string& work_folder, std::ostream& out) {
 }
 
 void Report(const TrainingResult& result, const std::filesystem::path& path, std::ostream& out) {
-  out << result.model.provenance << "\nk-means: " << result.num_iterations
-      << " iterations, features " << result.rms_distance << " from their words (root mean square)"
+  out << result.model.provenance
+      << "\nk-means: " << CountText(static_cast<uint64_t>(result.num_iterations), "iteration")
+      << ", features " << result.rms_distance << " from their words (root mean square)"
       << "\nwords seen again by a second look: " << 100.0 * result.detector.seen_again
       << " %; beyond chance p(z=1|e=1) = " << result.detector.p_z_given_e << ", used "
       << result.model.detector.p_z_given_e << '\n'

@@ -5,12 +5,38 @@
 #include <stdexcept>
 #include <utility>
 
+#include "rovio_sfm/util/load_document.h"
+
 namespace rovio_sfm {
 namespace {
+
+constexpr size_t kMaxShown = 40;  // characters
 
 template <typename T>
 bool IsSound(const T& /*value*/) {
   return true;
+}
+
+template <typename T>
+bool IsWritten(const YAML::Node& /*node*/, const T& /*value*/) {
+  return true;
+}
+
+bool IsWritten(const YAML::Node& node, int /*value*/) { return IsDecimal(node.Scalar()); }
+bool IsWritten(const YAML::Node& node, uint32_t /*value*/) { return IsDecimal(node.Scalar()); }
+bool IsWritten(const YAML::Node& node, uint64_t /*value*/) { return IsDecimal(node.Scalar()); }
+bool IsWritten(const YAML::Node& node, const std::vector<int>& /*values*/) {
+  return std::all_of(node.begin(), node.end(),
+                     [](const YAML::Node& item) { return IsDecimal(item.Scalar()); });
+}
+
+// For messages.
+std::string TextOf(const YAML::Node& node) {
+  if (node.IsNull()) return "nothing";
+  if (node.IsSequence()) return "a list";
+  if (node.IsMap()) return "a mapping";
+  const std::string& text = node.Scalar();
+  return "'" + (text.size() > kMaxShown ? text.substr(0, kMaxShown) + "…" : text) + "'";
 }
 
 bool IsSound(double value) { return std::isfinite(value); }
@@ -51,12 +77,14 @@ template <typename T>
 void YamlMap::Read(const std::string& key, const std::string& expected, T* value) {
   used_.insert(key);
   if (!Has(key)) return;
+  const YAML::Node& node = entries_.at(key);
+  const std::string complaint = "expected " + expected + ", not " + TextOf(node);
   try {
-    *value = entries_.at(key).as<T>();
+    *value = node.as<T>();
   } catch (const YAML::Exception&) {
-    Fail(key, "expected " + expected);
+    Fail(key, complaint);
   }
-  if (!IsSound(*value)) Fail(key, "expected " + expected);
+  if (!IsSound(*value) || !IsWritten(node, *value)) Fail(key, complaint);
 }
 
 template void YamlMap::Read(const std::string&, const std::string&, bool*);

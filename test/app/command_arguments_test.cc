@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "rovio_sfm/util/parse_arguments.h"
 #include "util/temporary_folder.h"
 
 namespace rovio_sfm {
@@ -23,12 +24,13 @@ std::optional<int> Parse(std::vector<const char*> words, MappingArguments* argum
   return ParseArguments(&app, static_cast<int>(words.size()), words.data(), out);
 }
 
-TEST(ParseArguments, GoesOnOnlyIfAllIsWell) {
+TEST(DeclareMappingArguments, WantsAFolderAndModesThatThereAre) {
   MappingArguments arguments;
   EXPECT_FALSE(Parse({"--out", "x"}, &arguments));
   EXPECT_EQ(Parse({"--help"}, &arguments), 0);
-  EXPECT_NE(Parse({}, &arguments).value_or(0), 0);
-  EXPECT_NE(Parse({"--out", "x", "--mode", "some"}, &arguments).value_or(0), 0);
+  EXPECT_THROW(Parse({}, &arguments), std::runtime_error);
+  EXPECT_THROW(Parse({"--out", "x", "--mode", "some"}, &arguments), std::runtime_error);
+  EXPECT_THROW(Parse({"--out", "x", "--seed", "-1"}, &arguments), std::runtime_error);
 }
 
 TEST(CompleteMappingArguments, OverridesOnlyWhatWasSaid) {
@@ -68,6 +70,21 @@ TEST(CompleteMappingArguments, ReadsFilesOfOptionsBeforeTheRest) {
   EXPECT_EQ(arguments.mapper.frontend.extract.type, DescriptorType::kOrb);
   EXPECT_EQ(arguments.mapper.frontend.extract.max_features, 600);
   EXPECT_THROW(CompleteMappingArguments(&arguments), std::runtime_error);
+}
+
+TEST(CompleteMappingArguments, NamesAFileOfOptionsThatCannotBeRead) {
+  const TemporaryFolder folder;
+  const auto complaint = [](const std::string& file) {
+    MappingArguments arguments;
+    arguments.mapper_file = file;
+    return MessageOf([&] { CompleteMappingArguments(&arguments); });
+  };
+  const std::string path = folder.Path();
+  EXPECT_EQ(complaint(path), path + ": is a folder; expected a YAML file");
+  EXPECT_EQ(complaint("/nope"), "/nope: cannot be read: No such file or directory");
+  const std::string twice = folder.Write("two.yaml", "seed: 1\n---\nseed: 2\n");
+  EXPECT_NE(complaint(twice).find("line 3"), std::string::npos) << complaint(twice);
+  EXPECT_NE(complaint(twice).find("a second document"), std::string::npos) << complaint(twice);
 }
 
 TEST(CompleteMappingArguments, DensifiesBesideTheFormats) {

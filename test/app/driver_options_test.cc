@@ -32,7 +32,8 @@ TEST(LoadDriverOptions, SaysWhatIsWrong) {
             "rovio_driver.host = : expected a name or IPv4 address, without scheme, port or "
             "path");
   EXPECT_EQ(ErrorOf("{host: rovio, hots: x}"), "rovio_driver.hots: unknown key");
-  EXPECT_EQ(ErrorOf("{host: rovio, port: many}"), "rovio_driver.port: expected a whole number");
+  EXPECT_EQ(ErrorOf("{host: rovio, port: many}"),
+            "rovio_driver.port: expected a whole number, not 'many'");
   EXPECT_EQ(ErrorOf("{host: rovio, port: 99999}"),
             "rovio_driver.port = 99999: expected 1 to 65535");
   EXPECT_EQ(ErrorOf("{host: rovio, capture_mode: still}"),

@@ -49,14 +49,15 @@ TEST(OptionReader, NamesAnUnknownKeyWithItsPath) {
 TEST(OptionReader, NamesAFieldOfAnotherType) {
   OptionReader reader(YAML::Load("{count: many}"), "top");
   int count = 0;
-  EXPECT_EQ(ErrorOf([&] { reader.Read("count", &count); }), "top.count: expected a whole number");
+  EXPECT_EQ(ErrorOf([&] { reader.Read("count", &count); }),
+            "top.count: expected a whole number, not 'many'");
 }
 
 TEST(OptionReader, RefusesANegativeNumberWhereNoneIsMeant) {
   OptionReader reader(YAML::Load("{seed: -1}"), "");
   uint64_t seed = 0;
   EXPECT_EQ(ErrorOf([&] { reader.Read("seed", &seed); }),
-            "seed: expected a whole number, 0 or more");
+            "seed: expected a whole number, 0 or more, not '-1'");
 }
 
 TEST(OptionReader, RefusesAScalarForAGroup) {

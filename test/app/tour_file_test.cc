@@ -31,7 +31,8 @@ TEST(ParseTourWayPoints, ReadsWhatTheDriverNeedsAndLeavesTheRest) {
 
 TEST(ParseTourWayPoints, NamesWhatIsWrong) {
   EXPECT_EQ(ErrorOf("name: x"), "tour: way_points: expected a list of 1 to 10000 way-points");
-  EXPECT_EQ(ErrorOf("way_points: [{x_m: no}]"), "tour: way_points[0].x_m: expected a number");
+  EXPECT_EQ(ErrorOf("way_points: [{x_m: no}]"),
+            "tour: way_points[0].x_m: expected a number, not 'no'");
   EXPECT_EQ(ErrorOf("way_points: [{z_m: 1}]"), "tour: way_points[0].z_m: unknown key");
   EXPECT_EQ(ErrorOf("way_points: [{frames: 0}]"),
             "tour: way_points[0].frames: expected 1 to 10000");

@@ -103,7 +103,7 @@ TEST(WriteMapFiles, AsksForTheModelOnlyWhereAFormatNeedsIt) {
 TEST(PrintWritten, SaysWhatIsMissing) {
   std::ostringstream out;
   PrintWritten({{"/a/b"}, 3, {}}, out);
-  EXPECT_EQ(out.str(), "wrote /a/b\n3 pictures were not at hand and are not among them\n");
+  EXPECT_EQ(out.str(), "wrote /a/b\n3 pictures were not at hand and not written with the rest\n");
 }
 
 TEST(PrintWritten, SaysWhatDensifyingBrought) {

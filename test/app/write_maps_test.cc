@@ -45,6 +45,18 @@ TEST(WriteAllMaps, RemovesWhatAnEarlierRunLeftAndNothingElse) {
   EXPECT_TRUE(std::filesystem::exists(folder.Path() / "notes.txt"));
 }
 
+TEST(WriteAllMaps, TellsOfAMapThatNoFormatCouldHold) {
+  const TemporaryFolder folder;
+  const auto maps =
+      WriteAllMaps(TwoMaps(), {}, {MapFormat::kGrid}, folder.Path() / "out", Overwrite::kRefuse);
+  ASSERT_EQ(maps.size(), 2u);
+  EXPECT_TRUE(maps[0].files.empty());
+  EXPECT_EQ(maps[0].left_out.size(), 1u);
+  EXPECT_EQ(Describe(maps[0]), "map 2: 6 images, in map units, in " +
+                                   std::filesystem::absolute(folder.Path() / "out").string());
+  EXPECT_FALSE(std::filesystem::exists(folder.Path() / "out/map_2"));
+}
+
 TEST(FindMapFiles, FindsNothingWhereThereIsNoFolder) {
   EXPECT_TRUE(FindMapFiles("/nowhere/at/all").empty());
 }

@@ -30,6 +30,23 @@ TEST(ReadCalibrationText, NamesTheFieldThatIsWrong) {
   }
 }
 
+TEST(ReadCalibrationText, RefusesACentreOutsideThePicture) {
+  const TemporaryFolder folder;
+  const auto path = folder.Write("calibration.txt", "500 500 9999 240 0 0 0 0 0 640 480\n");
+  EXPECT_EQ(MessageOf([&] { ReadCalibrationText(path); }),
+            path.string() + ":1: camera cx = 9999: expected 0 to 640 px, in the picture");
+}
+
+TEST(ReadCameraInfo, TakesSizesAsDecimalOnly) {
+  const TemporaryFolder folder;
+  const Camera camera = ReadCalibrationText(folder.Write("calibration.txt", kFreiburg1));
+  std::string yaml = CameraInfoYaml(camera, "fr1");
+  yaml.replace(yaml.find("640"), 3, "0640");
+  const auto path = folder.Write("camera.yaml", yaml);
+  EXPECT_EQ(MessageOf([&] { ReadCameraInfo(path); }),
+            path.string() + ": key image_width: expected a whole number, not '0640'");
+}
+
 TEST(CameraInfo, RoundTrips) {
   const TemporaryFolder folder;
   const Camera camera = ReadCalibrationText(folder.Write("calibration.txt", kFreiburg1));

@@ -92,6 +92,17 @@ TEST(ReadDatasetFolder, NamesWhatIsWrong) {
   EXPECT_NE(MessageOf([] { ReadDatasetFolder("no/such/folder"); }), "");
 }
 
+TEST(ReadDatasetFolder, NamesTheLineOfALinkThatLeadsRoundInACircle) {
+  const TemporaryFolder folder;
+  WriteDataset(folder);
+  const std::filesystem::path image = folder.Path() / "images/b.jpg";
+  std::filesystem::remove(image);
+  std::filesystem::create_symlink("b.jpg", image);
+  EXPECT_EQ(MessageOf([&] { ReadDatasetFolder(folder.Path()); }),
+            (folder.Path() / "times.txt").string() +
+                ":3: field filename: Too many levels of symbolic links: " + image.string());
+}
+
 TEST(EveryNth, ThinsImagesAndOverlaps) {
   const TemporaryFolder folder;
   WriteDataset(folder);

@@ -60,7 +60,7 @@ TEST_F(MapStoreDatabase, AQueryStartsAnewWithOtherValues) {
 TEST_F(MapStoreDatabase, NamesFileAndCauseWhereItCannotBeOpened) {
   const std::string missing =
       MessageOf([&] { StoreDatabase database(file_, StoreAccess::kWrite); });
-  EXPECT_EQ(missing, file_.string() + ": cannot be opened: unable to open database file");
+  EXPECT_EQ(missing, file_.string() + ": cannot be opened: no such file");
   EXPECT_FALSE(std::filesystem::exists(file_));
   const std::string vfs =
       MessageOf([&] { StoreDatabase(file_, StoreAccess::kCreate, "nonsense"); });

@@ -39,6 +39,10 @@ TEST(UndistortImage, RefusesAPictureOfAnotherSize) {
   EXPECT_NE(error.find("640 x 480"), std::string::npos) << error;
 }
 
+TEST(UndistortImage, RefusesAPictureWithoutBytes) {
+  EXPECT_THROW(UndistortImage({}, Camera()), std::runtime_error);
+}
+
 TEST(UndistortImage, RefusesWhatIsNoPicture) {
   EXPECT_FALSE(MessageOf([] { UndistortImage({1, 2, 3}, FullCamera()); }).empty());
 }

@@ -68,6 +68,24 @@ TEST_F(BagTopicsTest, ListsTheImagesWhereTheNameIsAnother) {
   }
 }
 
+TEST_F(BagTopicsTest, NamesWhatIsNoWholeBag) {
+  const std::string whole = ReadText(Write({"/a/image_raw"}));
+  const std::string folder = folder_.Path().string();
+  for (const auto& [name, bytes] :
+       {std::pair<std::string, std::string>{"text.bag", "no bag at all"},
+        {"empty.bag", ""},
+        {"head.bag", whole.substr(0, 20)},
+        {"cut.bag", whole.substr(0, whole.size() - 30)},
+        {"half.bag", whole.substr(0, whole.size() / 2)}}) {
+    const std::filesystem::path path = folder_.Write(name, bytes);
+    const std::string message = MessageOf([&, path = path] { FindDrives({path}); });
+    EXPECT_EQ(message.find(path.string() + ": no bag, or not a whole one: "), 0u) << message;
+  }
+  EXPECT_EQ(MessageOf([&] { FindDrives({folder}); }), folder + ": is a folder; expected a bag");
+  EXPECT_EQ(MessageOf([&] { FindDrives({folder + "/none.bag"}); }),
+            folder + "/none.bag: no such file");
+}
+
 // As a recorder that was killed leaves it: no index yet, and the header says so.
 TEST_F(BagTopicsTest, SaysWhatMendsABagThatWasNotClosed) {
   const std::filesystem::path path = folder_.Path() / "killed.bag";

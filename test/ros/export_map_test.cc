@@ -82,6 +82,14 @@ TEST_F(ExportMapTest, WritesTheFormatsAskedForAndSaysWhatIsMissing) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "cloud.ply"));
 }
 
+TEST_F(ExportMapTest, FailsWhereTheMapCannotBeWrittenInAnyOfTheFormats) {
+  ExportMapRequest request;
+  request.formats = "grid";
+  const auto response = ExportMapFiles(*SmallMaps(1), {}, folder_.string(), request);
+  EXPECT_EQ(response.status.code, Status::FAILED_PRECONDITION);
+  EXPECT_EQ(response.status.message, "grid: not written, as the map is not metric");
+}
+
 TEST_F(ExportMapTest, FollowsNoLinkOutOfItsFolder) {
   const std::filesystem::path outside = folder_.string() + "_outside";
   std::filesystem::remove_all(outside);

@@ -57,7 +57,7 @@ class MappingExportNodeTest(unittest.TestCase):
     def test_colmap_reads_the_map_and_its_pictures_are_there(self):
         reply = self.export(0, "colmap", "colmap,ply", False)
         self.assertEqual(reply.status.code, Status.OK, reply.status.message)
-        self.assertIn("1 pictures were not at hand", reply.status.message)
+        self.assertIn("1 picture was not at hand", reply.status.message)
         for path in reply.files:
             self.assertTrue(os.path.isabs(path) and os.path.exists(path), path)
         folder = self.folder / "colmap/colmap"

@@ -32,9 +32,8 @@ TEST(Replay, ExplainsItself) {
 }
 
 TEST(Replay, AsksForBags) {
-  std::string printed;
-  EXPECT_NE(RunCommand(Replay, {}, &printed), 0);
-  EXPECT_NE(printed.find("bags"), std::string::npos) << printed;
+  const std::string error = ErrorOf({});
+  EXPECT_NE(error.find("bags"), std::string::npos) << error;
 }
 
 TEST(Replay, NamesABagThatIsNotThere) {

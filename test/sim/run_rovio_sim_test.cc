@@ -15,7 +15,7 @@ int RunProgram(std::vector<const char*> arguments) {
 TEST(RunRovioSim, HelpSucceeds) { EXPECT_EQ(RunProgram({"--help"}), 0); }
 
 TEST(RunRovioSim, RefusesUnknownArgumentsAndMissingModes) {
-  EXPECT_NE(RunProgram({"--nonsense"}), 0);
+  EXPECT_THROW(RunProgram({"--nonsense"}), std::runtime_error);
   EXPECT_NE(RunProgram({}), 0);
   EXPECT_NE(RunProgram({"--images", "/nowhere", "--port", "0"}), 0);
 }

@@ -64,8 +64,7 @@ TEST(MapImagesCommand, SaysHowMuchTheImagesSharedWhereNoMapStarts) {
 }
 
 // A few images of a walk past two walls, and as many again and more that show other things.
-TEST(MapImagesCommand, SaysHowMuchTheImagesSharedWhereMostHaveNoPose) {
-  const TemporaryFolder folder;
+void WriteWalk(const TemporaryFolder& folder) {
   folder.Write("drive/calibration.txt", "256 256 160 120 0 0 0 0 0 320 240\n");
   folder.Write("drive/images/0.png", "");
   std::string times;
@@ -78,6 +77,11 @@ TEST(MapImagesCommand, SaysHowMuchTheImagesSharedWhereMostHaveNoPose) {
     times += std::to_string(i) + " " + name + "\n";
   }
   folder.Write("drive/times.txt", times);
+}
+
+TEST(MapImagesCommand, SaysHowMuchTheImagesSharedWhereMostHaveNoPose) {
+  const TemporaryFolder folder;
+  WriteWalk(folder);
   std::string printed;
   const std::string out = folder.Path() / "out";
   ASSERT_EQ(RunCommand(MapImagesCommand, {folder.Path() / "drive", "--out", out}, &printed), 0);
@@ -85,14 +89,33 @@ TEST(MapImagesCommand, SaysHowMuchTheImagesSharedWhereMostHaveNoPose) {
       << printed;
 }
 
+TEST(MapImagesCommand, TellsWhichFormatsAMapCannotBeWrittenIn) {
+  const TemporaryFolder folder;
+  WriteWalk(folder);
+  std::string printed;
+  const std::string drive = folder.Path() / "drive", out = folder.Path() / "out";
+  ASSERT_EQ(RunCommand(MapImagesCommand, {drive, "--out", out, "--format", "grid"}, &printed), 1);
+  EXPECT_NE(printed.find("grid: not written, as the map is not metric\n"), std::string::npos)
+      << printed;
+  const auto bytes = ReadBytes(out + "/summary.json", 100000);
+  const auto json = nlohmann::json::parse(bytes.begin(), bytes.end());
+  EXPECT_EQ(json["formats_left_out"][0], "map 1: grid: not written, as the map is not metric");
+  ASSERT_EQ(RunCommand(MapImagesCommand,
+                       {drive, "--out", out, "--format", "grid,tum", "--overwrite"}, &printed),
+            0);
+  EXPECT_NE(printed.find("grid: not written"), std::string::npos) << printed;
+}
+
 TEST(MapImagesCommand, RefusesBadArguments) {
   const TemporaryFolder folder;
   WriteGreyFolder(folder);
   const std::string drive = folder.Path() / "drive", out = folder.Path() / "out";
   std::string printed;
-  EXPECT_NE(RunCommand(MapImagesCommand, {drive}, &printed), 0);
-  EXPECT_NE(RunCommand(MapImagesCommand, {drive, "--out", out, "--mode", "some"}, &printed), 0);
-  EXPECT_NE(RunCommand(MapImagesCommand, {drive, "--out", out, "--stride", "0"}, &printed), 0);
+  EXPECT_THROW(RunCommand(MapImagesCommand, {drive}, &printed), std::runtime_error);
+  EXPECT_THROW(RunCommand(MapImagesCommand, {drive, "--out", out, "--mode", "some"}, &printed),
+               std::runtime_error);
+  EXPECT_THROW(RunCommand(MapImagesCommand, {drive, "--out", out, "--stride", "0"}, &printed),
+               std::runtime_error);
   EXPECT_THROW(RunCommand(MapImagesCommand, {drive, "--out", out, "--features", "1"}, &printed),
                std::runtime_error);
   EXPECT_THROW(RunCommand(MapImagesCommand, {"absent", "--out", out}, &printed),

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rovio_sfm/app/folder_lock.h"
 #include "tools/command_line.h"
 #include "tools/kept_maps.h"
 #include "util/temporary_folder.h"
@@ -30,10 +31,10 @@ TEST_F(MapTool, ChecksAndTellsAndRepairs) {
   Spoil(file_, "UPDATE keyframe SET pose = x'00' WHERE session = 2");
   EXPECT_EQ(Tool({"check", file_}), 1);
   EXPECT_TRUE(Printed("session 2: frame 0: pose: cut short")) << printed_;
-  EXPECT_TRUE(Printed(file_ + ": 1 faults; see map_tool repair\n")) << printed_;
+  EXPECT_TRUE(Printed(file_ + ": 1 fault; see map_tool repair\n")) << printed_;
   EXPECT_EQ(Tool({"repair", file_, new_}), 1);
   EXPECT_TRUE(Printed("lost: " + file_ + ": session 2: frame 0: pose: cut short")) << printed_;
-  EXPECT_TRUE(Printed("copied 24 frames, 1 sessions and 1 overlaps\nwrote " + new_ + "\n"));
+  EXPECT_TRUE(Printed("copied 24 frames, 1 session and 1 overlap\nwrote " + new_ + "\n"));
   EXPECT_EQ(Tool({"check", new_}), 0) << printed_;
 }
 
@@ -64,6 +65,28 @@ TEST_F(MapTool, ExportsTheLargestMapOrOneThatIsNamed) {
             file_ + ": map = 9: expected one with posed frames");
 }
 
+TEST_F(MapTool, FailsWhereTheMapCannotBeWrittenInAnyOfTheFormats) {
+  KeepTwoDrives(file_, false);
+  const std::string out = folder_.Path() / "out";
+  EXPECT_EQ(Tool({"export", file_, "--out", out, "--format", "grid"}), 1);
+  EXPECT_EQ(printed_, "grid: not written, as the map is not metric\n");
+  EXPECT_EQ(Tool({"export", file_, "--out", out, "--format", "grid,tum"}), 0);
+  EXPECT_TRUE(Printed("grid: not written, as the map is not metric\nwrote ")) << printed_;
+}
+
+TEST_F(MapTool, NamesTheFrameWhosePictureHasNoBytes) {
+  KeepTwoDrives(file_, false);
+  Spoil(file_, "UPDATE image SET jpeg = x''");
+  const std::string out = folder_.Path() / "out";
+  for (const std::string format : {"dense", "bundler", "nvm"}) {
+    const std::string message = MessageOf([&] {
+      Tool({"export", file_, "--out", out, "--format", format});
+    });
+    EXPECT_NE(message.find("frame "), std::string::npos) << message;
+    EXPECT_NE(message.find("no bytes"), std::string::npos) << message;
+  }
+}
+
 TEST_F(MapTool, MergesAndPrunes) {
   const std::string second = folder_.Path() / "second.db";
   KeepTwoDrives(file_, true);
@@ -76,10 +99,42 @@ TEST_F(MapTool, MergesAndPrunes) {
   EXPECT_THROW(Tool({"prune", new_}), std::runtime_error);
 }
 
+TEST_F(MapTool, ChangesNoStoreThatAnotherProcessMapsInto) {
+  const std::string other = folder_.Path() / "running/map.db";
+  const std::string link = folder_.Path() / "link.db";
+  std::filesystem::create_directory(folder_.Path() / "running");
+  KeepTwoDrives(file_, false);
+  std::filesystem::create_symlink(file_, link);
+  const FolderLock mapping(folder_.Path()), other_mapping(folder_.Path() / "running");
+  const std::string before = ReadText(file_);
+  for (const auto& arguments : std::vector<std::vector<std::string>>{
+           {"prune", file_, "--images"}, {"prune", link, "--images"}, {"repair", file_, other}}) {
+    EXPECT_NE(MessageOf([&] { Tool(arguments); }).find("another process maps into this folder"),
+              std::string::npos)
+        << arguments[0];
+  }
+  EXPECT_EQ(ReadText(file_), before);
+  EXPECT_FALSE(std::filesystem::exists(other));
+  EXPECT_EQ(Tool({"repair", file_, new_}), 0) << printed_;  // reading is allowed
+  EXPECT_EQ(Tool({"prune", new_, "--images"}), 0) << printed_;
+}
+
 TEST_F(MapTool, RefusesWhatItCannotUse) {
-  EXPECT_NE(Tool({}), 0);
-  EXPECT_NE(Tool({"nonsense"}), 0);
-  EXPECT_NE(Tool({"merge", file_, file_}), 0);
+  const std::string folder = folder_.Path(), none = folder + "/none.db";
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"info"}, {"check"}, {"prune", "--images"}}) {
+    const auto message_of = [&](const std::string& file) {
+      std::vector<std::string> arguments = words;
+      arguments.insert(arguments.begin() + 1, file);
+      return MessageOf([&] { Tool(arguments); });
+    };
+    EXPECT_EQ(message_of(none), none + ": cannot be opened: no such file");
+    EXPECT_EQ(message_of(folder),
+              folder + ": cannot be opened: is a folder; expected a map store (map.db)");
+  }
+  EXPECT_THROW(Tool({}), std::runtime_error);
+  EXPECT_THROW(Tool({"nonsense"}), std::runtime_error);
+  EXPECT_THROW(Tool({"merge", file_, file_}), std::runtime_error);
   for (const std::string command : {"info", "check"}) {
     EXPECT_NE(MessageOf([&] {
                 Tool({command, file_});

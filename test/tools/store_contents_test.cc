@@ -81,11 +81,11 @@ TEST_F(StoreContents, ArePrunedOfWhatWasChosen) {
   PruneChoice choice;
   choice.images = true;
   choice.drives = {MapsIn(file_)->sessions[0].drive.ToString()};
-  EXPECT_EQ(PruneStore(file_, choice), 12u);
+  EXPECT_EQ(PruneStore(file_, choice).num_rows, 12u);
   EXPECT_EQ(Count("image"), 12);
   choice.drives.clear();
   choice.descriptors = true;
-  EXPECT_EQ(PruneStore(file_, choice), 36u);
+  EXPECT_EQ(PruneStore(file_, choice).num_rows, 36u);
   EXPECT_EQ(Count("image") + Count("descriptors"), 0);
   EXPECT_TRUE(FindStoreFaults(file_).empty());
   EXPECT_EQ(MapsIn(file_)->sessions.size(), 2u);

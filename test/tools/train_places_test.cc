@@ -60,7 +60,9 @@ TEST_F(TrainPlacesCommandTest, NamesAnOptionOutOfItsRange) {
             std::string::npos);
 }
 
-TEST_F(TrainPlacesCommandTest, RefusesUnknownArguments) { EXPECT_NE(Run({"--wrods", "3"}), 0); }
+TEST_F(TrainPlacesCommandTest, RefusesUnknownArguments) {
+  EXPECT_THROW(Run({"--wrods", "3"}), std::runtime_error);
+}
 
 }  // namespace
 }  // namespace rovio_sfm

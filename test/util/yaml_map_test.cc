@@ -42,6 +42,25 @@ TEST(YamlMap, RefusesWhatIsNoFiniteNumber) {
   EXPECT_NE(MessageOf([] { Map("{a: [1, .inf]}").Numbers("a", 2); }), "");
 }
 
+TEST(YamlMap, TakesWholeNumbersAsDecimalOnly) {
+  EXPECT_EQ(Map("{a: -12}").Integer("a", 1), -12);
+  EXPECT_EQ(Map("{a: 0}").Integer("a", 1), 0);
+  for (const std::string text : {"0777", "0x10", "1.5", "1e3", "-", "''"}) {
+    YamlMap map = Map("{a: " + text + "}");
+    const std::string shown = text == "''" ? text : "'" + text + "'";
+    EXPECT_EQ(MessageOf([&] { map.Integer("a", 1); }),
+              "here.a: expected a whole number, not " + shown);
+  }
+  std::vector<int> values;
+  EXPECT_EQ(MessageOf([&] { Map("{a: [1, 010]}").Read("a", "whole numbers", &values); }),
+            "here.a: expected whole numbers, not a list");
+}
+
+TEST(YamlMap, TakesNoNegativeForAnUnsigned) {
+  EXPECT_EQ(MessageOf([] { Map("{a: -1}").Seed("a", 1); }),
+            "here.a: expected a whole number, 0 or more, not '-1'");
+}
+
 TEST(YamlMap, RefusesAKeyThatStandsTwice) {
   EXPECT_EQ(MessageOf([] { Map("{a: 1, a: 2}"); }), "here.a: stands twice");
 }
@@ -49,7 +68,7 @@ TEST(YamlMap, RefusesAKeyThatStandsTwice) {
 TEST(YamlMap, TellsWhereAFaultLies) {
   YamlMap file(YAML::Load("{d: [{e: 1}, {e: x, f: 2}], g: {h: 1}, i: 3}"), "file", ": ");
   YamlMap item = file.List("d")[1];
-  EXPECT_EQ(MessageOf([&] { item.Number("e"); }), "file: d[1].e: expected a number");
+  EXPECT_EQ(MessageOf([&] { item.Number("e"); }), "file: d[1].e: expected a number, not 'x'");
   EXPECT_EQ(MessageOf([&] { item.RefuseUnknownKeys(); }), "file: d[1].f: unknown key");
   EXPECT_EQ(MessageOf([&] { file.Group("g").Text("k"); }), "file: g.k: missing");
   EXPECT_EQ(MessageOf([&] { file.Group("i"); }), "file: i: expected a mapping");

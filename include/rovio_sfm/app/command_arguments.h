@@ -16,11 +16,6 @@ class App;
 
 namespace rovio_sfm {
 
-// Reads the command line into what was declared. The exit status if the program ends here: help was
-// asked for, or out now says what is wrong with the arguments.
-std::optional<int> ParseArguments(CLI::App* app, int argc, const char* const* argv,
-                                  std::ostream& out);
-
 // What every command that maps drives can be told.
 struct MappingArguments {
   std::string out;                       // folder for the results

@@ -11,7 +11,8 @@
 
 namespace rovio_sfm {
 
-constexpr int kNothingRegistered = 2;  // exit status
+constexpr int kNothingWritten = 1;     // exit status
+constexpr int kNothingRegistered = 2;  // the same
 
 // A command's run whose images have all been given to the mapper, or that was asked to stop.
 struct RunToFinish {
@@ -34,8 +35,9 @@ void PrepareMapFolder(const MappingArguments& arguments, size_t num_images);
 // Writes all maps and summary.json, which begins with `header`, as they stand; then adjusts finally
 // and writes again, so that nothing that ends the program meanwhile costs the maps. What was
 // stopped before there was a map replaces nothing. Says what was written, what was left out and
-// why. Returns the exit status: kNothingRegistered where no image is in a map, that of a signal
-// after one. Once a signal's budget is used up the program ends here.
+// why. Returns the exit status: kNothingRegistered where no image is in a map, kNothingWritten
+// where no map can be written in any format, that of a signal after one. Once a signal's budget is
+// used up the program ends here.
 int FinishRun(RunToFinish finish, const nlohmann::ordered_json& header, std::ostream& out);
 
 }  // namespace rovio_sfm

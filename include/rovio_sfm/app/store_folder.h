@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "rovio_sfm/app/folder_lock.h"
 #include "rovio_sfm/io/map_store.h"
 
 namespace rovio_sfm {
@@ -19,7 +20,6 @@ class StoreFolder {
   // there is none to be read.
   StoreFolder(const std::filesystem::path& folder, ExistingStore existing,
               const MapStoreOptions& options = {});
-  ~StoreFolder();
   StoreFolder(const StoreFolder&) = delete;
   StoreFolder& operator=(const StoreFolder&) = delete;
 
@@ -28,7 +28,7 @@ class StoreFolder {
   static std::filesystem::path ReplacedIn(const std::filesystem::path& folder);
   MapStore& store() { return *store_; }
   const MapStore& store() const { return *store_; }
-  bool IsWritten() const { return lock_ >= 0; }
+  bool IsWritten() const { return lock_ != nullptr; }
 
   // Once what was mapped instead is written.
   void DropReplaced();
@@ -44,9 +44,13 @@ class StoreFolder {
 
   std::filesystem::path folder_;
   MapStoreOptions options_;
-  int lock_ = -1;
+  std::unique_ptr<FolderLock> lock_;  // null: is only read; outlives the store
   std::unique_ptr<MapStore> store_;
 };
+
+// For who changes a store that is no part of a StoreFolder: holds the folder where the store is
+// one that is mapped into, by its name; null: it is none. Throws as FolderLock does.
+std::unique_ptr<FolderLock> LockStoreFile(const std::filesystem::path& store);
 
 // A consistent copy of what was committed to a store, whoever writes into it; replaces a file that
 // is there, in one step. Throws StoreError or std::runtime_error.

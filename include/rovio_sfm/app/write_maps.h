@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "rovio_sfm/app/write_map_files.h"
@@ -16,7 +17,9 @@ struct WrittenMap {
   MapId id;
   size_t num_images = 0;  // registered
   bool is_metric = false;
-  std::vector<std::filesystem::path> files;  // absolute
+  std::filesystem::path folder;              // absolute
+  std::vector<std::filesystem::path> files;  // absolute; none: no format could be written
+  std::vector<std::string> left_out;         // sentences: formats that it cannot be written in
   std::optional<DensifyCounts> densified = {};
 };
 

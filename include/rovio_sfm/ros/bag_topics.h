@@ -3,6 +3,7 @@
 #include <rosbag/bag.h>
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,16 @@ struct BagDrive {
   std::string odom_topic;
   StampSource stamps = StampSource::kHeader;
 };
+
+// What rosbag throws while a bag is read, as a std::runtime_error that names it.
+template <typename Read>
+auto WithBagNamed(const std::filesystem::path& path, const Read& read) {
+  try {
+    return read();
+  } catch (const rosbag::BagException& error) {
+    throw std::runtime_error(path.string() + ": no bag, or not a whole one: " + error.what());
+  }
+}
 
 // Opens a bag for reading. Throws std::runtime_error that names the bag, and what mends one that
 // was not closed.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <string>
@@ -22,7 +23,13 @@ struct PruneChoice {
   std::vector<std::string> drives;  // by DriveId::ToString; empty: all
 };
 
-// Throws std::runtime_error for a drive that is not there. Returns how many rows went.
-size_t PruneStore(const std::filesystem::path& file, const PruneChoice& choice);
+struct StorePruneReport {
+  size_t num_rows = 0;  // that went
+  uintmax_t bytes_before = 0, bytes_after = 0;
+};
+
+// Throws std::runtime_error for a drive that is not there, and where another process maps into the
+// store.
+StorePruneReport PruneStore(const std::filesystem::path& file, const PruneChoice& choice);
 
 }  // namespace rovio_sfm

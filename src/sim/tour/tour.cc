@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "rovio_sfm/util/degrees.h"
+#include "rovio_sfm/util/load_document.h"
 #include "rovio_sfm/util/option_checker.h"
 #include "rovio_sfm/util/rng.h"
 #include "rovio_sfm/util/yaml_map.h"
@@ -98,7 +99,7 @@ bool TourSpec::IsValid(std::string* error) const {
 
 TourSpec ParseTour(const std::string& yaml, const std::string& source) {
   try {
-    YamlMap map(YAML::Load(yaml), source, ": ");
+    YamlMap map(LoadDocument(yaml), source, ": ");
     TourSpec tour;
     tour.name = map.Text("name");
     tour.world = map.Text("world");

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "rovio_sfm/sim/world/read_placement.h"
+#include "rovio_sfm/util/load_document.h"
 
 namespace rovio_sfm::sim {
 namespace {
@@ -98,7 +99,7 @@ ObjectSpec ReadObject(YamlMap map) {
 WorldSpec ParseWorld(const std::string& yaml, const std::string& source) {
   if (yaml.size() > kMaxFileBytes) throw std::runtime_error(source + ": larger than 4 MiB");
   try {
-    YamlMap map(YAML::Load(yaml), source, ": ");
+    YamlMap map(LoadDocument(yaml), source, ": ");
     WorldSpec world;
     world.name = map.Text("name");
     world.seed = map.Seed("seed", 0);

@@ -1,15 +1,16 @@
 #include "rovio_sfm/tools/trajectory/evaluate_trajectory.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <stdexcept>
 #include <string>
 
-#include "rovio_sfm/app/command_arguments.h"
 #include "rovio_sfm/report/evaluation.h"
 #include "rovio_sfm/report/evaluation_json.h"
+#include "rovio_sfm/util/parse_arguments.h"
 
 namespace rovio_sfm {
 namespace {
@@ -24,8 +25,10 @@ std::vector<DriveEvaluation> ReadDrives(const std::vector<std::string>& files) {
 }
 
 void PrintTable(const nlohmann::ordered_json& figures, std::ostream& out) {
+  size_t width = 0;
+  for (const auto& [name, value] : figures.items()) width = std::max(width, name.size());
   for (const auto& [name, value] : figures.items()) {
-    out << std::left << std::setw(24) << name << value.dump() << "\n";
+    out << std::left << std::setw(static_cast<int>(width)) << name << " " << value.dump() << "\n";
   }
 }
 
