@@ -153,7 +153,7 @@ def replays_live(_quick):
         program("images_to_bag", case("sim16"), bag, "--robot", robot)
     ended(DEVEL / "env.sh", "/usr/bin/python3", "-c", ADD_MAP_EDGE, bags[0])
     result, _ = replay(bags[0])
-    outcomes.append(says("an older bag's map", result, {0}, "1 transforms of the map .* left out"))
+    outcomes.append(says("an older bag's map", result, {0}, "1 transform of the map .* left out"))
     with Master("replay") as master:
         replaying = master.start(
             "roslaunch", "rovio_sfm", "replay.launch", "robot:=rovio1,rovio2", "mode:=every",
