@@ -1,5 +1,5 @@
 """The map that lasts: the store, localisation, exports (issue 10)."""
 
-from acceptance import exports, killing, localising, map_kept
+from acceptance import exports, going_on, killing, localising, map_kept
 
-LINES = [*map_kept.LINES, *killing.LINES, *localising.LINES, *exports.LINES]
+LINES = [*map_kept.LINES, *going_on.LINES, *killing.LINES, *localising.LINES, *exports.LINES]
