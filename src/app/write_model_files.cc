@@ -88,15 +88,30 @@ void WriteFormat(const MapModel& model, MapFormat format, ModelWriter* writer) {
   }
 }
 
+WrittenFiles WriteAll(const MapModel& model, MapFormat format, const PictureSource& pictures,
+                      bool undistorted, ModelWriter* writer) {
+  WriteFormat(model, format, writer);
+  writer->WritePictures(model, pictures, undistorted);
+  return writer->Take();
+}
+
+// Undistorted pictures are JPEGs, whatever they were.
+MapModel WithNamesOfJpegs(MapModel model) {
+  for (ModelImage& image : model.images) {
+    const std::string ending = fs::path(image.name).extension().string();
+    if (ending != ".jpg" && ending != ".jpeg" && ending != ".JPG") image.name += ".jpg";
+  }
+  return model;
+}
+
 }  // namespace
 
 WrittenFiles WriteModelFiles(const MapModel& model, MapFormat format, const PictureSource& pictures,
                              const fs::path& folder, Overwrite overwrite) {
   ModelWriter writer(folder / MainPathOf(format), overwrite);
-  WriteFormat(model, format, &writer);
   const bool undistorted = format == MapFormat::kBundler || format == MapFormat::kNvm;
-  writer.WritePictures(model, pictures, undistorted);
-  return writer.Take();
+  if (!undistorted) return WriteAll(model, format, pictures, false, &writer);
+  return WriteAll(WithNamesOfJpegs(model), format, pictures, true, &writer);
 }
 
 }  // namespace rovio_sfm

@@ -1,5 +1,6 @@
 #include "rovio_sfm/app/write_model_files.h"
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 
 #include "io/synthetic_model.h"
@@ -41,12 +42,20 @@ TEST(WriteModelFiles, MakesAWorkspaceOfColmapWithThePicturesAsTheyCame) {
 TEST(WriteModelFiles, GivesBundlerAndNvmUndistortedPictures) {
   for (const MapFormat format : {MapFormat::kBundler, MapFormat::kNvm}) {
     const TemporaryFolder folder;
-    const MapModel model = MakeSyntheticModel(FullCamera());
-    WriteModelFiles(model, format, AllButFirst(), folder.Path(), Overwrite::kRefuse);
-    const auto path = folder.Path() / MainPathOf(format) / "images/rovio/frame_7.jpg";
-    const cv::Mat picture = cv::imread(path.string());
-    EXPECT_EQ(picture.size(), cv::Size(640, 480)) << path;
-    EXPECT_FALSE(std::filesystem::exists(path.parent_path() / "frame_0.jpg"));
+    MapModel model = MakeSyntheticModel(FullCamera());
+    model.images[6].name = "rovio/frame_6.png";
+    const auto written =
+        WriteModelFiles(model, format, AllButFirst(), folder.Path(), Overwrite::kRefuse);
+    const auto pictures = folder.Path() / MainPathOf(format) / "images/rovio";
+    for (const char* name : {"frame_6.png.jpg", "frame_7.jpg"}) {
+      EXPECT_EQ(cv::imread(pictures / name).size(), cv::Size(640, 480)) << name;
+      const auto tells = [&](const auto& path) {
+        return !std::filesystem::is_directory(path) &&
+               ReadText(path).find(name) != std::string::npos;
+      };
+      EXPECT_TRUE(std::any_of(written.paths.begin(), written.paths.end(), tells)) << name;
+    }
+    EXPECT_FALSE(std::filesystem::exists(pictures / "frame_0.jpg"));
   }
 }
 
