@@ -15,7 +15,7 @@ endforeach()
 if(ROVIO_SANITIZE STREQUAL "address")
   set(PARSERS rovio/mjpeg_parser util/jpeg_check rovio/rovio_protocol rovio/header_value
               sim/http/http_request sim/http/parameters sim/http/tcp_socket io/text_file io/odometry_file
-              io/trajectory_file io/dataset_folder io/calibration)
+              io/trajectory_file io/dataset_folder io/calibration util/load_document geometry/check_calibration)
   set(PARSER_SOURCES util/check util/check_options util/log util/option_text util/rng geometry/camera ${PARSERS})
   list(TRANSFORM PARSER_SOURCES REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/src/\\1.cc")
   list(TRANSFORM PARSERS REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/test/\\1_test.cc")

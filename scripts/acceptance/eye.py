@@ -15,8 +15,9 @@ MAX_SHARE_OF_STEPS = 0.60
 LATER_PARTS = re.compile(
     r"src/(io/(map_store|export_(bundler|colmap|kitti|nvm)|colmap_camera|undistort_image)"
     r"|merging/(localizer|map_keeper_store)|recognition/largest_features|matching/match_(posed|in_range)|dense/|finish/|surface/"
-    r"|sim/tour/sample_surface|sfm/refine_intrinsics|scene/session_camera|util/nearest_rows"
-    r"|app/(map_formats|map_products|store_folder|write_model_files|finish_map|write_page|web_|map_web|live_|thumbnail)"
+    r"|sim/tour/sample_surface|sfm/refine_intrinsics|scene/session_camera"
+    r"|util/(nearest_rows|checksum|load_document|parse_arguments)|geometry/check_calibration"
+    r"|app/(map_formats|map_products|store_folder|folder_lock|write_model_files|finish_map|write_page|web_|map_web|live_|thumbnail)"
     r"|report/(collect_model|name_pictures|drive_names|page_data)"
     r"|ros/(map_store_files|map_web|web_server|live_|mapping_control|finish_actions|map_finisher|product_"
     r"|taken_map|export_folder))\w*\.cc$|srv/(Load|Save)Map|action/|(Densify|ReconstructSurface)\w*\.msg")
