@@ -166,6 +166,9 @@ def calibrations(_quick):
                                   "host:=127.0.0.1", "port:=9")
             master.wait_for(lambda: f"/{robot}/set_camera_info" in master.run("rosservice", "list").text, 60)
             reply = master.run("rosservice", "call", f"/{robot}/set_camera_info", CAMERA % focal)
+            nonsense = master.run("rosservice", "call", f"/{robot}/set_camera_info", "{}")
+            refused = "success: False" in nonsense.text and "K: uncalibrated" in nonsense.text
+            outcomes.append(("nonsense is refused", refused, nonsense.text.strip()[-200:]))
             master.interrupt(driver)
             written = master.home / f"camera_info/{robot}.yaml"
             holds = "success: True" in reply.text and written.exists() and str(focal) in written.read_text()

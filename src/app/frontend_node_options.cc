@@ -1,5 +1,8 @@
 #include "rovio_sfm/app/frontend_node_options.h"
 
+#include <filesystem>
+#include <stdexcept>
+
 #include "rovio_sfm/app/load_options.h"
 
 namespace rovio_sfm {
@@ -11,6 +14,10 @@ FrontendNodeOptions LoadFrontendNodeOptions(const YAML::Node& parameters,
   YAML::Node known = YAML::Clone(parameters);
   known.remove("thresholds");  // what dynamic_reconfigure left there; stands again in "frontend"
   LogOptions(LoadOptions(known, "", &options));
+  const std::string& file = options.calibration_file;
+  if (!file.empty() && !std::filesystem::path(file).is_absolute()) {
+    throw std::runtime_error("calibration_file: '" + file + "': expected an absolute path");
+  }
   if (options.sensors.base_frame.empty()) options.sensors.base_frame = options.robot + "/base_link";
   return options;
 }

@@ -29,6 +29,7 @@ std::string WhyNoFile(const std::filesystem::path& path, StoreAccess access) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (std::filesystem::is_directory(status)) return "is a folder; expected a map store (map.db)";
+  if (std::filesystem::is_other(status)) return "is no plain file; expected a map store (map.db)";
   if (std::filesystem::exists(status) || access == StoreAccess::kCreate) return "";
   return status.type() == std::filesystem::file_type::not_found ? "no such file" : error.message();
 }

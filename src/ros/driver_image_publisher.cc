@@ -1,7 +1,9 @@
 #include "rovio_sfm/ros/driver_image_publisher.h"
 
+#include <camera_calibration_parsers/parse.h>
 #include <cv_bridge/cv_bridge.h>
 #include <ros/console.h>
+#include <ros/service_manager.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/image_encodings.h>
 
@@ -14,6 +16,11 @@
 
 namespace rovio_sfm {
 namespace {
+
+constexpr char kSetCameraInfo[] = "set_camera_info";
+constexpr char kFileScheme[] = "file://";
+
+bool IsShipped(const std::string& url) { return url.compare(0, 10, "package://") == 0; }
 
 // Where image_transport's own compressed plug-in is installed it would publish a second, re-encoded
 // picture on the topic of the robot's own bytes.
@@ -31,6 +38,8 @@ DriverImagePublisher::DriverImagePublisher(const ros::NodeHandle& handle,
       frame_id_(options.frames.camera_optical),
       latency_ns_(std::llround(options.image_latency_s * 1e9)),
       transport_(WithoutPlugins(handle)),
+      camera_name_(options.camera_name),
+      camera_info_url_(IsShipped(options.camera_info_url) ? "" : options.camera_info_url),
       info_manager_(handle, options.camera_name, options.camera_info_url),
       compressed_(handle_.advertise<sensor_msgs::CompressedImage>(topics::kImageCompressed,
                                                                   topics::kImageQueue)),
@@ -38,13 +47,18 @@ DriverImagePublisher::DriverImagePublisher(const ros::NodeHandle& handle,
                                                        topics::kCameraInfoQueue)),
       decoded_(transport_.advertise(topics::kImageRaw, topics::kImageQueue)) {
   LoadCalibration(options.camera_info_url, options.camera_name);
+  // The manager's own service takes and keeps anything.
+  ros::ServiceManager::instance()->unadvertiseService(handle_.resolveName(kSetCameraInfo));
+  set_camera_info_ =
+      handle_.advertiseService(kSetCameraInfo, &DriverImagePublisher::SetCameraInfo, this);
 }
 
 // A calibration that comes with a package is where a robot begins, never where one is written: that
 // is $ROS_HOME/camera_info/<camera_name>.yaml, which goes before it once it is there.
 void DriverImagePublisher::LoadCalibration(const std::string& url, const std::string& camera_name) {
-  if (url.compare(0, 10, "package://") != 0) {
+  if (!IsShipped(url)) {
     info_manager_.loadCameraInfo(url);
+    HasUsableCalibration();
     return;
   }
   info_manager_.setCameraName(std::filesystem::path(url).stem().string());  // as it names itself
@@ -52,7 +66,42 @@ void DriverImagePublisher::LoadCalibration(const std::string& url, const std::st
   const sensor_msgs::CameraInfo shipped = info_manager_.getCameraInfo();
   info_manager_.setCameraName(camera_name);
   info_manager_.loadCameraInfo("");
-  if (!info_manager_.isCalibrated()) info_manager_.setCameraInfo(shipped);
+  if (!HasUsableCalibration()) info_manager_.setCameraInfo(shipped);
+}
+
+// Says why one that is there is of no use.
+bool DriverImagePublisher::HasUsableCalibration() {
+  if (!info_manager_.isCalibrated()) return false;
+  std::string error;
+  if (FromCameraInfo(info_manager_.getCameraInfo(), &error)) return true;
+  ROS_ERROR_STREAM_NAMED("images", CalibrationFile() << ": of no use: " << error);
+  return false;
+}
+
+std::string DriverImagePublisher::CalibrationFile() {
+  const std::string url = info_manager_.resolveURL(
+      camera_info_url_.empty() ? "file://${ROS_HOME}/camera_info/${NAME}.yaml" : camera_info_url_,
+      camera_name_);
+  return url.compare(0, sizeof(kFileScheme) - 1, kFileScheme) == 0
+             ? url.substr(sizeof(kFileScheme) - 1)
+             : url;
+}
+
+bool DriverImagePublisher::SetCameraInfo(sensor_msgs::SetCameraInfo::Request& request,
+                                         sensor_msgs::SetCameraInfo::Response& response) {
+  response.success = false;
+  if (!FromCameraInfo(request.camera_info, &response.status_message)) return true;
+  const std::string file = CalibrationFile();
+  std::error_code ignored;  // the writer fails then
+  std::filesystem::create_directories(std::filesystem::path(file).parent_path(), ignored);
+  if (!camera_calibration_parsers::writeCalibration(file, camera_name_, request.camera_info)) {
+    response.status_message = file + ": cannot be written";
+    return true;
+  }
+  info_manager_.setCameraInfo(request.camera_info);
+  response.success = true;
+  response.status_message = "wrote " + file;
+  return true;
 }
 
 void DriverImagePublisher::Publish(const CameraImage& image) {
@@ -92,6 +141,7 @@ sensor_msgs::CameraInfo DriverImagePublisher::InfoFor(const CameraImage& image) 
   sensor_msgs::CameraInfo info = info_manager_.getCameraInfo();
   const auto width = static_cast<uint32_t>(image.width_px);
   const auto height = static_cast<uint32_t>(image.height_px);
+  is_calibrated_ = info.width == width && info.height == height && info.K[0] != 0.0;
   if (info.width == width && info.height == height) return info;
   if (!has_warned_of_size_) {
     ROS_WARN_NAMED("images", "images are %u x %u, the calibration is for %u x %u: uncalibrated",

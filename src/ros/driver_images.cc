@@ -134,6 +134,7 @@ ImagesState DriverImages::TakeState() {
   state.num_published = NumPublished();
   state.num_dropped = publish_worker_.NumDropped();
   state.num_without_time = publisher_.NumWithoutTime();
+  state.is_calibrated = publisher_.IsCalibrated();
   MutexLock lock(mutex_);
   state.link = link_;
   state.reason = reason_;

@@ -32,6 +32,11 @@ std::optional<std::filesystem::path> FindExportFolder(const std::string& output_
         InvalidArgument("name: " + folder.string() + " is a link that leads out of " + output_dir);
     return std::nullopt;
   }
+  std::error_code ignored;  // what cannot be looked at cannot be written either, which is told then
+  if (std::filesystem::exists(folder, ignored) && !std::filesystem::is_directory(folder, ignored)) {
+    *status = InvalidArgument("name = '" + name + "': is a file; expected a folder or nothing yet");
+    return std::nullopt;
+  }
   return folder;
 }
 

@@ -3,6 +3,7 @@
 #include <cv_bridge/cv_bridge.h>
 #include <sensor_msgs/Image.h>
 
+#include <stdexcept>
 #include <utility>
 
 #include "rovio_sfm/frontend/draw_matches.h"
@@ -27,6 +28,14 @@ void PublishImage(const cv::Mat& bgr, const std_msgs::Header& header,
   publisher.publish(cv_bridge::CvImage(header, "bgr8", bgr).toImageMsg());
 }
 
+Camera CameraIn(const std::string& calibration_file) {
+  try {
+    return ReadCamera(calibration_file);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(std::string("calibration_file: ") + error.what());
+  }
+}
+
 }  // namespace
 
 FrontendNode::FrontendNode(const FrontendNodeOptions& options, uint32_t nonce, ros::NodeHandle node,
@@ -47,7 +56,7 @@ FrontendNode::FrontendNode(const FrontendNodeOptions& options, uint32_t nonce, r
   diagnostics_.add("images to frames", this, &FrontendNode::Diagnose);
   thresholds_.setCallback(
       [this](FrontendThresholdsConfig& t, uint32_t level) { OnThresholds(t, level); });
-  if (!options_.calibration_file.empty()) sensors_.SetCamera(ReadCamera(options_.calibration_file));
+  if (!options_.calibration_file.empty()) sensors_.SetCamera(CameraIn(options_.calibration_file));
   Advertise();
 }
 

@@ -51,6 +51,11 @@ SaveMapResponse CopyStore(const std::string& output_dir, const SaveMapRequest& r
     response.status = InvalidArgument(error);
     return response;
   }
+  if (std::filesystem::is_directory(path)) {
+    response.status =
+        InvalidArgument("name = '" + request.name + "': is a folder; expected a file");
+    return response;
+  }
   if (!request.overwrite && std::filesystem::exists(path)) {
     response.status = AlreadyExists(path.string() + " exists and overwrite was false");
     return response;

@@ -145,6 +145,9 @@ void RovioDriverNode::DiagnoseImages(Diagnostics& out) {
                      : state.link == ImageLink::kConnecting ? DiagnosticStatus::WARN
                                                             : DiagnosticStatus::OK;
   out.summary(level, std::string(NameOf(state.link)) + ": " + state.reason);
+  if (!state.is_calibrated) {
+    out.mergeSummary(DiagnosticStatus::WARN, "uncalibrated: no calibration of their size");
+  }
   const double interval_s = state.figures.mean_interval_s;
   out.add("rate (1/s)", interval_s > 0.0 ? 1.0 / interval_s : 0.0);
   out.add("jitter (s)", state.figures.jitter_s);

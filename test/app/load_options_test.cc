@@ -87,6 +87,13 @@ TEST(LoadOptions, FrontendNodeRefusesToStartWithoutAName) {
             std::string::npos);
 }
 
+TEST(LoadOptions, FrontendNodeTakesNoRelativeCalibration) {
+  YAML::Node node;
+  node["calibration_file"] = "camera.yaml";
+  EXPECT_EQ(ErrorOf([&] { LoadFrontendNodeOptions(node, "/rovio1"); }),
+            "calibration_file: 'camera.yaml': expected an absolute path");
+}
+
 TEST(LoadOptions, FrontendNodeRefusesUnknownParameters) {
   const YAML::Node node = YAML::Load("{frontend: {extract: {typ: orb}}}");
   EXPECT_EQ(ErrorOf([&] { LoadFrontendNodeOptions(node, "/rovio1"); }),

@@ -27,6 +27,15 @@ TEST(FindExportFolder, RefusesNamesThatLeadElsewhere) {
   }
 }
 
+TEST(FindExportFolder, RefusesAFileOfThatName) {
+  const TemporaryFolder maps;
+  maps.Write("a.db", "");
+  Status status;
+  EXPECT_FALSE(FindExportFolder(maps.Path().string(), "a.db", &status));
+  EXPECT_EQ(status.code, Status::INVALID_ARGUMENT);
+  EXPECT_NE(status.message.find("name = 'a.db': is a file"), std::string::npos) << status.message;
+}
+
 TEST(FindExportFolder, FollowsNoLinkOut) {
   const TemporaryFolder maps, outside;
   std::filesystem::create_directory_symlink(outside.Path(), maps.Path() / "out");

@@ -58,6 +58,13 @@ TEST_F(MapStoreFiles, CopiesWhileTheStoreIsOpen) {
   EXPECT_EQ(Save("copy.db", true).status.code, Status::OK);
 }
 
+TEST_F(MapStoreFiles, PutsNoStoreInAFoldersPlace) {
+  std::filesystem::create_directory(folder_.Path() / "folder.db");
+  const Status status = Save("folder.db", true).status;
+  EXPECT_EQ(status.code, Status::INVALID_ARGUMENT);
+  EXPECT_NE(status.message.find("name = 'folder.db': is a folder"), std::string::npos);
+}
+
 TEST_F(MapStoreFiles, RefusesNamesThatLeadElsewhere) {
   for (const char* name : {"", "map.db", "copy", "../copy.db", ".db", ".hidden.db", "a b.db"}) {
     EXPECT_EQ(Save(name, true).status.code, Status::INVALID_ARGUMENT) << name;

@@ -1,6 +1,7 @@
 #include "rovio_sfm/tools/map_tool.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "rovio_sfm/app/folder_lock.h"
 #include "tools/command_line.h"
@@ -121,6 +122,8 @@ TEST_F(MapTool, ChangesNoStoreThatAnotherProcessMapsInto) {
 
 TEST_F(MapTool, RefusesWhatItCannotUse) {
   const std::string folder = folder_.Path(), none = folder + "/none.db";
+  const std::string pipe = folder + "/pipe.db";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"info"}, {"check"}, {"prune", "--images"}}) {
     const auto message_of = [&](const std::string& file) {
@@ -131,6 +134,8 @@ TEST_F(MapTool, RefusesWhatItCannotUse) {
     EXPECT_EQ(message_of(none), none + ": cannot be opened: no such file");
     EXPECT_EQ(message_of(folder),
               folder + ": cannot be opened: is a folder; expected a map store (map.db)");
+    EXPECT_EQ(message_of(pipe),
+              pipe + ": cannot be opened: is no plain file; expected a map store (map.db)");
   }
   EXPECT_THROW(Tool({}), std::runtime_error);
   EXPECT_THROW(Tool({"nonsense"}), std::runtime_error);

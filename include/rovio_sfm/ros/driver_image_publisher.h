@@ -4,6 +4,7 @@
 #include <image_transport/image_transport.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/SetCameraInfo.h>
 
 #include <atomic>
 #include <optional>
@@ -14,7 +15,7 @@
 namespace rovio_sfm {
 
 // Publishes images as the robot sent them, with camera_info, and decoded while somebody listens.
-// Publish belongs to one thread.
+// Offers set_camera_info, which keeps what can be used. Publish belongs to one thread.
 class DriverImagePublisher {
  public:
   DriverImagePublisher(const ros::NodeHandle& handle, const DriverOptions& options);
@@ -27,9 +28,15 @@ class DriverImagePublisher {
 
   uint64_t NumPublished() const { return num_published_; }
   uint64_t NumWithoutTime() const { return num_without_time_; }
+  // Whether the newest image was published with a calibration of its size.
+  bool IsCalibrated() const { return is_calibrated_; }
 
  private:
   void LoadCalibration(const std::string& url, const std::string& camera_name);
+  bool HasUsableCalibration();
+  bool SetCameraInfo(sensor_msgs::SetCameraInfo::Request& request,
+                     sensor_msgs::SetCameraInfo::Response& response);
+  std::string CalibrationFile();
   void DropWithoutTime();
   sensor_msgs::CameraInfo InfoFor(const CameraImage& image);
   void PublishDecoded(const CameraImage& image, const std_msgs::Header& header);
@@ -38,11 +45,14 @@ class DriverImagePublisher {
   const std::string frame_id_;
   const int64_t latency_ns_;
   image_transport::ImageTransport transport_;
+  const std::string camera_name_, camera_info_url_;
   camera_info_manager::CameraInfoManager info_manager_;
+  ros::ServiceServer set_camera_info_;
   ros::Publisher compressed_;
   ros::Publisher info_;
   image_transport::Publisher decoded_;
   bool has_warned_of_size_ = false, has_warned_of_time_ = false;
+  std::atomic<bool> is_calibrated_{true};
   std::atomic<uint64_t> num_without_time_{0};
   std::atomic<uint64_t> num_published_{0};
 };

@@ -20,6 +20,7 @@ struct ImagesState {
   uint64_t num_published = 0;
   uint64_t num_dropped = 0;       // nobody had time to publish them
   uint64_t num_without_time = 0;  // no /clock
+  bool is_calibrated = true;      // the newest
 };
 
 // The images of one robot: a reader on its own thread, a choice of images in stationary mode, and a
