@@ -28,6 +28,6 @@ if(ROVIO_WITH_ROS)
   file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/python3/dist-packages)
   find_package(catkin REQUIRED COMPONENTS
     actionlib actionlib_msgs camera_calibration_parsers camera_info_manager cv_bridge
-    diagnostic_updater dynamic_reconfigure geometry_msgs image_transport message_generation nav_msgs rosbag roscpp sensor_msgs std_msgs tf2
-    tf2_eigen tf2_msgs tf2_ros visualization_msgs)
+    diagnostic_updater dynamic_reconfigure geometry_msgs image_transport message_generation nav_msgs
+    rosbag roscpp sensor_msgs std_msgs tf2 tf2_eigen tf2_msgs tf2_ros visualization_msgs)
 endif()
