@@ -85,7 +85,6 @@ def watch(driver, master, port, quick):
 def live(quick):
     bags, maps, port = make_bags(quick), fresh_folder("web/map"), free_port()  # a kept map would be gone on with
     with Master("web") as master, browser.browser() as driver:
-        master.environment["ROSCONSOLE_STDOUT_LINE_BUFFERED"] = "1"  # its token is read from its log
         launched = master.start(
             "roslaunch", "rovio_sfm", "replay.launch", f"robot:={','.join(ROBOTS)}", "mode:=every",
             f"bag:={' '.join(map(str, bags))}", "web:=true", f"web_port:={port}", "web_control:=true",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -37,12 +38,11 @@ const FormatRow& RowOf(MapFormat format) {
                        [format](const FormatRow& row) { return row.format == format; });
 }
 
-MapFormat ReadFormat(const std::string& name) {
+std::optional<MapFormat> FindFormat(const std::string& name) {
   for (const FormatRow& row : kFormats) {
     if (name == row.name) return row.format;
   }
-  throw std::runtime_error("format: expected one or more of " + FormatNames() +
-                           ", with commas between them, got \"" + name + "\"");
+  return std::nullopt;
 }
 
 }  // namespace
@@ -54,11 +54,18 @@ std::string FormatNames() {
   return names;
 }
 
-MapFormats ReadFormats(const std::string& names) {
+MapFormats ReadFormats(const std::string& names, const std::string& field) {
   if (names.empty()) return kDefaultFormats;
   MapFormats formats;
   std::istringstream stream(names + ",");  // so that a comma at the end is seen
-  for (std::string name; std::getline(stream, name, ',');) formats.insert(ReadFormat(name));
+  for (std::string name; std::getline(stream, name, ',');) {
+    const std::optional<MapFormat> format = FindFormat(name);
+    if (!format) {
+      throw std::runtime_error(field + " = " + names + ": expected one or more of " +
+                               FormatNames() + ", with commas between them, got \"" + name + "\"");
+    }
+    formats.insert(*format);
+  }
   return formats;
 }
 

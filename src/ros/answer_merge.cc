@@ -1,13 +1,17 @@
 #include "rovio_sfm/ros/answer_merge.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "rovio_sfm/report/level_session.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/map_frames.h"
 #include "rovio_sfm/ros/merge_report_message.h"
 #include "rovio_sfm/ros/status.h"
+#include "rovio_sfm/util/option_text.h"
 
 namespace rovio_sfm {
 namespace {
@@ -27,16 +31,35 @@ bool IsMergeable(const MapSnapshot& snapshot, uint32_t number, Status* status) {
   return false;
 }
 
+// "b_from_a.translation.x = nan: expected a finite number"; empty: all are finite.
+std::string FirstNotFinite(const std::string& name, const std::vector<double>& xyzw) {
+  const auto wrong =
+      std::find_if(xyzw.begin(), xyzw.end(), [](double v) { return !std::isfinite(v); });
+  if (wrong == xyzw.end()) return "";
+  return "b_from_a." + name + "." + "xyzw"[wrong - xyzw.begin()] + " = " + TextOf(*wrong) +
+         ": expected a finite number";
+}
+
+std::string WrongInPlacement(const geometry_msgs::Transform& b_from_a) {
+  const auto& t = b_from_a.translation;
+  const auto& q = b_from_a.rotation;
+  std::string wrong = FirstNotFinite("translation", {t.x, t.y, t.z});
+  if (wrong.empty()) wrong = FirstNotFinite("rotation", {q.x, q.y, q.z, q.w});
+  if (!wrong.empty()) return wrong;
+  return "b_from_a.rotation = [" + TextOf(q.x) + ", " + TextOf(q.y) + ", " + TextOf(q.z) + ", " +
+         TextOf(q.w) + "]: expected a quaternion of norm 1";
+}
+
 // session_<b>/map from session_<a>/map, as the request says.
 std::optional<Sim3> ReadPlacement(const MergeSessionsRequest& request, Status* status) {
-  std::string error;
-  const std::optional<Rigid3> b_from_a = FromTransform(request.b_from_a, &error);
+  std::string ignored;
+  const std::optional<Rigid3> b_from_a = FromTransform(request.b_from_a, &ignored);
   if (!b_from_a) {
-    *status = InvalidArgument("b_from_a: " + error);
+    *status = InvalidArgument(WrongInPlacement(request.b_from_a));
     return std::nullopt;
   }
   if (!(request.scale >= kMinScale && request.scale <= kMaxScale)) {
-    *status = InvalidArgument("scale: expected 0.001 to 1000");
+    *status = InvalidArgument("scale = " + TextOf(request.scale) + ": expected 0.001 to 1000");
     return std::nullopt;
   }
   return Sim3{request.scale, b_from_a->rotation, b_from_a->translation};
@@ -57,7 +80,8 @@ MergeSessionsResponse AnswerMerge(const MergeSessionsRequest& request, MappingEn
   response.report.verdict = MergeReportMsg::REFUSED;
   const MapPicture picture = engine->Picture();
   if (request.session_a == request.session_b) {
-    response.status = InvalidArgument("session_b: expected another session than session_a");
+    response.status = InvalidArgument("session_b = " + std::to_string(request.session_b) +
+                                      ": expected another session than session_a");
     return response;
   }
   for (const uint32_t number : {request.session_a, request.session_b}) {

@@ -67,7 +67,9 @@ DriverServices::~DriverServices() {
 
 bool DriverServices::SetHead(SetHead::Request& request, SetHead::Response& response) {
   if (request.position > rovio_sfm::SetHead::Request::UP) {
-    response.status = MakeStatus(Status::INVALID_ARGUMENT, "position must be 0, 1 or 2");
+    response.status =
+        MakeStatus(Status::INVALID_ARGUMENT, "position = " + std::to_string(request.position) +
+                                                 ": expected 0 (down), 1 (middle) or 2 (up)");
     return true;
   }
   const RobotOutcome outcome = client_.MoveHead(static_cast<HeadPosition>(request.position));
@@ -77,7 +79,9 @@ bool DriverServices::SetHead(SetHead::Request& request, SetHead::Response& respo
 
 bool DriverServices::SetCamera(SetCamera::Request& request, SetCamera::Response& response) {
   if (request.headlight < rovio_sfm::SetCamera::Request::KEEP || request.headlight > 1) {
-    response.status = MakeStatus(Status::INVALID_ARGUMENT, "headlight must be -1, 0 or 1");
+    response.status =
+        MakeStatus(Status::INVALID_ARGUMENT, "headlight = " + std::to_string(request.headlight) +
+                                                 ": expected 0, 1 or -1 (as it is)");
     return true;
   }
   response.status = ChangeSettings(request);

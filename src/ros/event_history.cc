@@ -55,7 +55,8 @@ GetFramesResponse EventHistory::Page(const GetFramesRequest& request) const {
     return response;
   }
   if (request.max_frames < 1 || request.max_frames > kMaxPageFrames) {
-    response.status = InvalidArgument("max_frames: expected 1 to 100");
+    response.status = InvalidArgument("max_frames = " + std::to_string(request.max_frames) +
+                                      ": expected 1 to 100");
     return response;
   }
   FramePage page(request.max_frames);

@@ -39,7 +39,7 @@ void Write(const LevelMap& map, const MapSource& source, const MapFormats& forma
 
 bool ReadFormatNames(const std::string& names, MapFormats* formats, Status* status) {
   try {
-    *formats = ReadFormats(names);
+    *formats = ReadFormats(names, "formats");
     return true;
   } catch (const std::exception& error) {
     *status = InvalidArgument(error.what());
@@ -62,7 +62,10 @@ ExportMapResponse ExportMapFiles(const MapSnapshot& snapshot, const MapSource& s
   if (!folder || !ReadFormatNames(request.formats, &formats, &response.status)) return response;
   const auto map = FindRequestedMap(snapshot, request);
   if (!map) {
-    response.status = NotFound("map: there is no such map with a posed frame");
+    response.status =
+        NotFound("map = " + std::to_string(request.map) + ": expected " +
+                 (request.map == 0 ? "a map with a posed frame; there is none yet"
+                                   : "the number of a map with a posed frame, or 0, the largest"));
     return response;
   }
   if (!MayWrite(*folder, formats, request.overwrite, &response.status)) return response;

@@ -155,7 +155,7 @@ DensifyResult MapFinisher::Densify(const DensifyGoal& goal, const GoalProgress& 
   DensifyResult result;
   const bool by_depth = goal.method == DensifyGoal::DEPTH;
   if (!by_depth && goal.method != DensifyGoal::MATCHES) {
-    result.status = InvalidArgument("method: \"" + goal.method + "\": expected matches or depth");
+    result.status = InvalidArgument("method = " + goal.method + ": expected matches or depth");
     return result;
   }
   const char* const name = by_depth ? "dense.ply" : "densified.ply";
@@ -178,7 +178,7 @@ ReconstructSurfaceResult MapFinisher::ReconstructSurface(const ReconstructSurfac
   ReconstructSurfaceResult result;
   if (!IsSource(goal.source)) {
     result.status =
-        InvalidArgument("source: \"" + goal.source + "\": expected landmarks, densified or dense");
+        InvalidArgument("source = " + goal.source + ": expected landmarks, densified or dense");
     return result;
   }
   const auto task = TakeUp(goal, sources_, "mesh.ply", &result);

@@ -34,9 +34,9 @@ std::filesystem::path StorePathOf(const std::string& output_dir, const std::stri
                                   std::string* error) {
   const std::filesystem::path folder(output_dir);
   if (!IsStoreName(name)) {
-    *error = "name: expected at most 64 of A-Z a-z 0-9 _ - . that end with .db";
+    *error = "name = " + name + ": expected at most 64 of A-Z a-z 0-9 _ - . that end with .db";
   } else if (folder / name == StoreFolder::FileIn(folder)) {
-    *error = "name: " + name + " is the store that is mapped into; expected another";
+    *error = "name = " + name + ": expected another than the store that is mapped into";
   } else {
     return folder / name;
   }

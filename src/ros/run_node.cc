@@ -3,6 +3,7 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <opencv2/core.hpp>
@@ -60,6 +61,7 @@ int RunBody(const NodeBody& body) {
 }  // namespace
 
 int RunNode(int argc, char** argv, const std::string& name, const NodeBody& body) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // rosconsole read its own switch before main
   try {
     ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
     CatchStopSignals();

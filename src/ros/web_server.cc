@@ -144,6 +144,28 @@ void ToHttp(const WebAnswer& answer, httplib::Response* http) {
       });
 }
 
+// What is refused before anybody handles it.
+std::string SentenceOf(int status, const WebLimits& limits) {
+  switch (status) {
+    case 400:
+      return "not a request that HTTP/1.1 knows, or a header of more than 8 KiB\n";
+    case 413:
+      return "the body is too large: at most " + std::to_string(limits.max_body_bytes) +
+             " bytes are taken\n";
+    case 414:
+      return "the address is too long: at most 8 KiB are taken\n";
+    case 416:
+      return "header Range: expected bytes=FIRST-LAST\n";
+    default:
+      return "the request was refused\n";
+  }
+}
+
+void ExplainRefusal(const WebLimits& limits, httplib::Response* response) {
+  if (response->content_length_ > 0 || !response->body.empty()) return;
+  response->set_content(SentenceOf(response->status, limits), "text/plain; charset=utf-8");
+}
+
 }  // namespace
 
 class WebServer::Listener : private httplib::Server {
@@ -189,6 +211,9 @@ class WebServer::Listener : private httplib::Server {
     const auto answer = [this](const httplib::Request& request, httplib::Response& response) {
       ToHttp(handler_(FromHttp(request)), &response);
     };
+    set_error_handler([this](const httplib::Request& /*request*/, httplib::Response& response) {
+      ExplainRefusal(limits_, &response);
+    });
     Post(".*", answer);  // the body is read before
     set_pre_routing_handler([answer](const httplib::Request& request, httplib::Response& response) {
       if (request.method == "POST" && HasBody(request)) return HandlerResponse::Unhandled;
@@ -201,7 +226,9 @@ class WebServer::Listener : private httplib::Server {
     const bool is_taken = Enter(socket);
     bool is_closed = false;
     BoundedStream stream(socket, limits_);
-    const bool is_answered = is_taken && process_request(stream, true, is_closed, nullptr);
+    // httplib would send what lies behind the answer in memory to who asks for more than it has.
+    const auto ask_for_all = [](httplib::Request& request) { request.ranges.clear(); };
+    const bool is_answered = is_taken && process_request(stream, true, is_closed, ask_for_all);
     Leave(socket);
     ::shutdown(socket, SHUT_RDWR);
     ::close(socket);

@@ -19,6 +19,7 @@ TEST(ReadFormats, ReadsNamesAndStandsInWhereNoneIsGiven) {
 TEST(ReadFormats, RefusesUnknownOnesByName) {
   for (const char* names : {"obj", "ply,obj", "obj,ply"}) {
     const std::string error = MessageOf([&] { ReadFormats(names); });
+    EXPECT_EQ(error.find("format = " + std::string(names) + ": expected one or more"), 0u) << error;
     EXPECT_NE(error.find("got \"obj\""), std::string::npos) << error;
     EXPECT_NE(error.find("ply_ascii, kitti"), std::string::npos) << error;
   }

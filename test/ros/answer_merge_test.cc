@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rovio_sfm/Status.h>
 
+#include <limits>
+
 #include "merging/two_drives.h"
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/map_frames.h"
@@ -92,11 +94,16 @@ TEST_F(AnswerMerge, RefusesAMalformedPlacement) {
   request.by_hand = true;
   request.scale = 0.0;
   EXPECT_EQ(Merge(request).status.code, Status::INVALID_ARGUMENT);
+  EXPECT_EQ(Merge(request).status.message, "scale = 0: expected 0.001 to 1000");
   request.scale = 1.0;
   request.b_from_a.rotation.w = 0.0;
   const MergeSessionsResponse response = Merge(request);
   EXPECT_EQ(response.status.code, Status::INVALID_ARGUMENT);
-  EXPECT_NE(response.status.message.find("b_from_a"), std::string::npos);
+  EXPECT_EQ(response.status.message,
+            "b_from_a.rotation = [0, 0, 0, 0]: expected a quaternion of norm 1");
+  request.b_from_a.translation.y = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(Merge(request).status.message,
+            "b_from_a.translation.y = inf: expected a finite number");
   EXPECT_FALSE(AreInOneMap());
 }
 

@@ -102,7 +102,9 @@ class StreamingDriver(unittest.TestCase):
         self.assertTrue(wait_until(lambda: abs(self.camera_height() - 0.12) < 0.01, 5))
         self.assertEqual(set_head(2).status.code, Status.OK)
         self.assertTrue(wait_until(lambda: abs(self.camera_height() - 0.28) < 0.01, 5))
-        self.assertEqual(set_head(9).status.code, Status.INVALID_ARGUMENT)
+        refused = set_head(9).status
+        self.assertEqual((refused.code, refused.message.split(" (")[0]),
+                         (Status.INVALID_ARGUMENT, "position = 9: expected 0"))
 
     def camera_height(self):
         for message in reversed(self.transforms.messages):
@@ -119,6 +121,9 @@ class StreamingDriver(unittest.TestCase):
         self.assertTrue(wait_until(lambda: self.status.last().frame_rate == 10, 5))
         reply = set_camera(resolution=7, compression=-1, frame_rate=-1, brightness=-1, headlight=-1)
         self.assertEqual(reply.status.code, Status.INVALID_ARGUMENT)
+        reply = set_camera(resolution=-1, compression=-1, frame_rate=-1, brightness=-1, headlight=5)
+        self.assertEqual((reply.status.code, reply.status.message),
+                         (Status.INVALID_ARGUMENT, "headlight = 5: expected 0, 1 or -1 (as it is)"))
 
     def test_a_stalled_stream_is_reported_and_resumes(self):
         self.simulator.fault("stall", 6)

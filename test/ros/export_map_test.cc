@@ -52,11 +52,20 @@ TEST_F(ExportMapTest, StaysBelowItsFolder) {
   }
 }
 
+TEST_F(ExportMapTest, RefusesAMapThatIsNotThereByNumber) {
+  const ExportMapResponse response = Export("first", false, 99);
+  EXPECT_EQ(response.status.code, Status::NOT_FOUND);
+  EXPECT_EQ(response.status.message,
+            "map = 99: expected the number of a map with a posed frame, or 0, the largest");
+}
+
 TEST_F(ExportMapTest, RefusesAFormatThatItDoesNotKnowByName) {
   ExportMapRequest request;
   request.formats = "tum,obj";
   const auto response = ExportMapFiles(*SmallMaps(1), {}, folder_.string(), request);
   EXPECT_EQ(response.status.code, Status::INVALID_ARGUMENT);
+  EXPECT_EQ(response.status.message.find("formats = tum,obj: expected one or more of tum, "), 0u)
+      << response.status.message;
   EXPECT_NE(response.status.message.find("\"obj\""), std::string::npos) << response.status.message;
   EXPECT_FALSE(std::filesystem::exists(folder_));
 }

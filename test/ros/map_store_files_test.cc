@@ -67,7 +67,9 @@ TEST_F(MapStoreFiles, PutsNoStoreInAFoldersPlace) {
 
 TEST_F(MapStoreFiles, RefusesNamesThatLeadElsewhere) {
   for (const char* name : {"", "map.db", "copy", "../copy.db", ".db", ".hidden.db", "a b.db"}) {
-    EXPECT_EQ(Save(name, true).status.code, Status::INVALID_ARGUMENT) << name;
+    const Status status = Save(name, true).status;
+    EXPECT_EQ(status.code, Status::INVALID_ARGUMENT) << name;
+    EXPECT_EQ(status.message.find("name = " + std::string(name) + ": expected "), 0u);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <future>
 #include <stdexcept>
+#include <utility>
 
 namespace rovio_sfm {
 namespace {
@@ -116,7 +117,38 @@ TEST(WebServer, RefusesLargeBodies) {
       ClientOf(server).Post("/api/save_map", std::string(5000, 'x'), "application/json");
   ASSERT_TRUE(reply);
   EXPECT_EQ(reply->status, 413);
+  EXPECT_EQ(reply->body, "the body is too large: at most 4096 bytes are taken\n");
   EXPECT_EQ(num_handled, 0);
+}
+
+TEST(WebServer, SaysWhatItRefusesUnheard) {
+  WebServer server("127.0.0.1", 0, Echo);
+  const std::string much(9000, 'x');
+  const std::pair<std::string, std::string> cases[] = {
+      {"FOO / HTTP/1.1\r\nHost: localhost\r\n\r\n", "not a request that HTTP/1.1 knows"},
+      {"GET / HTTP/1.1\r\nX-More: " + much + "\r\n\r\n", "a header of more than 8 KiB"},
+      {"GET /" + much + " HTTP/1.1\r\nHost: localhost\r\n\r\n", "the address is too long"},
+      {"GET / HTTP/1.1\r\nRange: all\r\n\r\n", "header Range: expected bytes="},
+      {"POST / HTTP/1.1\r\nContent-Length: 9000\r\n\r\n" + much, "the body is too large"}};
+  for (const auto& [request, sentence] : cases) {
+    RawClient client(server.port());
+    client.Send(request);
+    const std::string answer = client.Receive();
+    EXPECT_NE(answer.find("\r\n\r\n"), std::string::npos) << answer;
+    EXPECT_NE(answer.find(sentence), std::string::npos) << answer;
+  }
+}
+
+TEST(WebServer, ARangeBeyondTheAnswerGetsTheAnswer) {
+  WebServer server("127.0.0.1", 0, Echo);
+  const auto whole = ClientOf(server).Get("/page");
+  ASSERT_TRUE(whole);
+  for (const char* range : {"bytes=0-99999999", "bytes=9999999-", "bytes=2-4,1-2", "bytes=-9999"}) {
+    const auto reply = ClientOf(server).Get("/page", {{"Range", range}});
+    ASSERT_TRUE(reply) << range;
+    EXPECT_EQ(reply->status, 200) << range;
+    EXPECT_EQ(reply->body, whole->body) << range;
+  }
 }
 
 TEST(WebServer, DropsRequestsWithoutAnEnd) {

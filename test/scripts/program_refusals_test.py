@@ -65,9 +65,9 @@ NUMBERS = {
 
 
 def environment(port):
-    """Messages are read from a pipe: unbuffered, without colours."""
-    return dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{port}",
-                ROSCONSOLE_STDOUT_LINE_BUFFERED="1", ROS_HOME=tempfile.gettempdir(),
+    """Messages are read from a pipe, without colours."""
+    inherited = {name: value for name, value in os.environ.items() if name != "ROSCONSOLE_STDOUT_LINE_BUFFERED"}
+    return dict(inherited, ROS_MASTER_URI=f"http://127.0.0.1:{port}", ROS_HOME=tempfile.gettempdir(),
                 ROS_NAMESPACE="rovio1")
 
 

@@ -29,8 +29,8 @@ inline const MapFormats kDefaultFormats = {MapFormat::kTum, MapFormat::kPly};
 // All names, for help and errors: "tum, ply, ply_ascii, …".
 std::string FormatNames();
 // Reads names with commas between them; an empty text stands for the default. Throws
-// std::runtime_error that names what is not known.
-MapFormats ReadFormats(const std::string& names);
+// std::runtime_error that names what is not known, and the field that they came in.
+MapFormats ReadFormats(const std::string& names, const std::string& field = "format");
 
 // What a format is written from.
 enum class FormatSource {
