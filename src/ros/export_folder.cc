@@ -22,8 +22,9 @@ std::optional<std::filesystem::path> FindExportFolder(const std::string& output_
     return std::nullopt;
   }
   if (!name.empty() && !IsPlainName(name)) {
-    *status =
-        InvalidArgument("name: expected at most 64 of A-Z a-z 0-9 _ - ., not beginning with .");
+    *status = InvalidArgument("name = '" + name +
+                              "': expected at most 64 of A-Z a-z 0-9 _ - ., "
+                              "not beginning with .");
     return std::nullopt;
   }
   const std::filesystem::path folder = std::filesystem::path(output_dir) / name;
