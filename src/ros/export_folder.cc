@@ -22,8 +22,8 @@ std::optional<std::filesystem::path> FindExportFolder(const std::string& output_
     return std::nullopt;
   }
   if (!name.empty() && !IsPlainName(name)) {
-    *status = InvalidArgument("name = '" + name +
-                              "': expected at most 64 of A-Z a-z 0-9 _ - ., "
+    *status = InvalidArgument("name = " + name +
+                              ": expected at most 64 of A-Z a-z 0-9 _ - ., "
                               "not beginning with .");
     return std::nullopt;
   }
@@ -35,7 +35,7 @@ std::optional<std::filesystem::path> FindExportFolder(const std::string& output_
   }
   std::error_code ignored;  // what cannot be looked at cannot be written either, which is told then
   if (std::filesystem::exists(folder, ignored) && !std::filesystem::is_directory(folder, ignored)) {
-    *status = InvalidArgument("name = '" + name + "': is a file; expected a folder or nothing yet");
+    *status = InvalidArgument("name = " + name + ": is a file; expected a folder or nothing yet");
     return std::nullopt;
   }
   return folder;

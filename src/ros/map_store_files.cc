@@ -52,8 +52,7 @@ SaveMapResponse CopyStore(const std::string& output_dir, const SaveMapRequest& r
     return response;
   }
   if (std::filesystem::is_directory(path)) {
-    response.status =
-        InvalidArgument("name = '" + request.name + "': is a folder; expected a file");
+    response.status = InvalidArgument("name = " + request.name + ": is a folder; expected a file");
     return response;
   }
   if (!request.overwrite && std::filesystem::exists(path)) {

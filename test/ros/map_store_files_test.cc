@@ -62,7 +62,7 @@ TEST_F(MapStoreFiles, PutsNoStoreInAFoldersPlace) {
   std::filesystem::create_directory(folder_.Path() / "folder.db");
   const Status status = Save("folder.db", true).status;
   EXPECT_EQ(status.code, Status::INVALID_ARGUMENT);
-  EXPECT_NE(status.message.find("name = 'folder.db': is a folder"), std::string::npos);
+  EXPECT_NE(status.message.find("name = folder.db: is a folder"), std::string::npos);
 }
 
 TEST_F(MapStoreFiles, RefusesNamesThatLeadElsewhere) {

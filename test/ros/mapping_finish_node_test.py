@@ -177,13 +177,13 @@ class MappingFinishNodeTest(unittest.TestCase):
         self.assertEqual(goal.wait(self).status.code, Status.OK)
 
     def test_what_cannot_be_done_is_refused_with_a_sentence(self):
-        self.expect_refused(self.densify_goal(method="magic"), Status.INVALID_ARGUMENT, '"magic"')
+        self.expect_refused(self.densify_goal(method="magic"), Status.INVALID_ARGUMENT, "method = magic")
         self.expect_refused(self.densify_goal(map=9), Status.NOT_FOUND, "session 9")
         self.expect_refused(self.densify_goal(name="../x"), Status.INVALID_ARGUMENT, "name")
         self.expect_refused(self.densify_goal(map=2), Status.FAILED_PRECONDITION,
                             "no picture of the map's %d keyframes" % len(BLIND_CAMERAS))
         self.expect_refused(self.surface_goal(source="thin air"), Status.INVALID_ARGUMENT,
-                            '"thin air"')
+                            "source = thin air")
 
     def test_saving_shows_the_grid(self):
         saved = rospy.ServiceProxy("/save_map", SaveMap)("saved.db", False)
