@@ -3,7 +3,6 @@
 import json
 import os
 import shutil
-import time
 
 from acceptance.common import Line, dataset, fresh_folder
 from acceptance.endings import Running
@@ -35,8 +34,7 @@ def stores(_quick):
     """A store that a program maps into is only read; what is no store says so."""
     out = fresh_folder("refusals/stores")
     with Running("map_images", dataset("leuven_castle"), "--out", out, *EVERY) as mapping:
-        mapping.wait_until((out / "map.db").exists)
-        time.sleep(0.5)
+        mapping.wait_until((out / "map.db").exists)  # made under the lock
         in_use = "another process maps into this folder"
         outcomes = [says("prune", program("map_tool", "prune", out / "map.db", "--descriptors"), {1}, in_use)]
     outcomes += [

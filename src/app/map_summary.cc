@@ -31,9 +31,9 @@ std::optional<EvaluationReport> Evaluate(const LevelMap& map, const MapRun& run,
     if (only_keyframes && image.kind != FrameKind::kKeyframe) continue;
     const DriveInput* input = InputOf(run, image.id.drive);
     if (input == nullptr || input->ground_truth.empty()) continue;
-    DriveEvaluation& drive = drives[input];
-    drive.ground_truth = input->ground_truth;
-    drive.estimate.push_back(image.level_from_camera);
+    const auto [drive, is_new] = drives.try_emplace(input);
+    if (is_new) drive->second.ground_truth = input->ground_truth;
+    drive->second.estimate.push_back(image.level_from_camera);
   }
   std::vector<DriveEvaluation> list;
   for (const auto& [input, drive] : drives) list.push_back(drive);

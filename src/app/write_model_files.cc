@@ -37,7 +37,8 @@ class ModelWriter {
       }
       const std::vector<uint8_t> bytes =
           undistorted ? Undistorted(*picture, image, model) : *picture;
-      WriteOne(kPictures + ("/" + image.name), {bytes.begin(), bytes.end()});
+      const std::string name = undistorted ? UndistortedName(image.name) : image.name;
+      WriteOne(kPictures + ("/" + name), {bytes.begin(), bytes.end()});
       ++num_written;
     }
     if (num_written > 0) written_.paths.push_back(folder_ / kPictures);
@@ -88,30 +89,15 @@ void WriteFormat(const MapModel& model, MapFormat format, ModelWriter* writer) {
   }
 }
 
-WrittenFiles WriteAll(const MapModel& model, MapFormat format, const PictureSource& pictures,
-                      bool undistorted, ModelWriter* writer) {
-  WriteFormat(model, format, writer);
-  writer->WritePictures(model, pictures, undistorted);
-  return writer->Take();
-}
-
-// Undistorted pictures are JPEGs, whatever they were.
-MapModel WithNamesOfJpegs(MapModel model) {
-  for (ModelImage& image : model.images) {
-    const std::string ending = fs::path(image.name).extension().string();
-    if (ending != ".jpg" && ending != ".jpeg" && ending != ".JPG") image.name += ".jpg";
-  }
-  return model;
-}
-
 }  // namespace
 
 WrittenFiles WriteModelFiles(const MapModel& model, MapFormat format, const PictureSource& pictures,
                              const fs::path& folder, Overwrite overwrite) {
   ModelWriter writer(folder / MainPathOf(format), overwrite);
+  WriteFormat(model, format, &writer);
   const bool undistorted = format == MapFormat::kBundler || format == MapFormat::kNvm;
-  if (!undistorted) return WriteAll(model, format, pictures, false, &writer);
-  return WriteAll(WithNamesOfJpegs(model), format, pictures, true, &writer);
+  writer.WritePictures(model, pictures, undistorted);
+  return writer.Take();
 }
 
 }  // namespace rovio_sfm

@@ -1,6 +1,7 @@
 #include "rovio_sfm/io/export_bundler.h"
 
 #include "rovio_sfm/io/append_fields.h"
+#include "rovio_sfm/io/undistort_image.h"
 
 namespace rovio_sfm {
 namespace {
@@ -42,7 +43,7 @@ std::vector<NamedFile> BundlerFiles(const MapModel& model, const std::string& pi
   text += "\n";
   for (const ModelImage& image : model.images) {
     AppendCamera(image.cam_from_map, model.cameras[image.camera].MeanFocal(), &text);
-    list += picture_folder + "/" + image.name + "\n";
+    list += picture_folder + "/" + UndistortedName(image.name) + "\n";
   }
   for (const ModelPoint& point : model.points) AppendPoint(model, point, &text);
   return {{"bundle.out", text}, {"list.txt", list}};

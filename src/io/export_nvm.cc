@@ -1,6 +1,7 @@
 #include "rovio_sfm/io/export_nvm.h"
 
 #include "rovio_sfm/io/append_fields.h"
+#include "rovio_sfm/io/undistort_image.h"
 
 namespace rovio_sfm {
 namespace {
@@ -33,7 +34,7 @@ std::string NvmText(const MapModel& model, const std::string& picture_folder) {
   AppendFields(&text, model.images.size());
   text += "\n";
   for (const ModelImage& image : model.images) {
-    text += picture_folder + "/" + image.name;
+    text += picture_folder + "/" + UndistortedName(image.name);
     AppendCamera(image.cam_from_map, model.cameras[image.camera].MeanFocal(), &text);
   }
   text += "\n";

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "rovio_sfm/util/text_ends.h"
+
 namespace rovio_sfm {
 namespace {
 
@@ -46,6 +48,11 @@ std::vector<uint8_t> UndistortImage(const std::vector<uint8_t>& encoded, const C
     throw std::runtime_error("an undistorted picture cannot be encoded");
   }
   return bytes;
+}
+
+std::string UndistortedName(const std::string& name) {
+  const bool is_jpeg = EndsWith(name, ".jpg") || EndsWith(name, ".jpeg") || EndsWith(name, ".JPG");
+  return is_jpeg ? name : name + ".jpg";
 }
 
 }  // namespace rovio_sfm

@@ -1,10 +1,7 @@
 #include "rovio_sfm/ros/answer_merge.h"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "rovio_sfm/report/level_session.h"
 #include "rovio_sfm/ros/conversions.h"
@@ -31,31 +28,12 @@ bool IsMergeable(const MapSnapshot& snapshot, uint32_t number, Status* status) {
   return false;
 }
 
-// "b_from_a.translation.x = nan: expected a finite number"; empty: all are finite.
-std::string FirstNotFinite(const std::string& name, const std::vector<double>& xyzw) {
-  const auto wrong =
-      std::find_if(xyzw.begin(), xyzw.end(), [](double v) { return !std::isfinite(v); });
-  if (wrong == xyzw.end()) return "";
-  return "b_from_a." + name + "." + "xyzw"[wrong - xyzw.begin()] + " = " + TextOf(*wrong) +
-         ": expected a finite number";
-}
-
-std::string WrongInPlacement(const geometry_msgs::Transform& b_from_a) {
-  const auto& t = b_from_a.translation;
-  const auto& q = b_from_a.rotation;
-  std::string wrong = FirstNotFinite("translation", {t.x, t.y, t.z});
-  if (wrong.empty()) wrong = FirstNotFinite("rotation", {q.x, q.y, q.z, q.w});
-  if (!wrong.empty()) return wrong;
-  return "b_from_a.rotation = [" + TextOf(q.x) + ", " + TextOf(q.y) + ", " + TextOf(q.z) + ", " +
-         TextOf(q.w) + "]: expected a quaternion of norm 1";
-}
-
 // session_<b>/map from session_<a>/map, as the request says.
 std::optional<Sim3> ReadPlacement(const MergeSessionsRequest& request, Status* status) {
-  std::string ignored;
-  const std::optional<Rigid3> b_from_a = FromTransform(request.b_from_a, &ignored);
+  std::string error;
+  const std::optional<Rigid3> b_from_a = FromTransform(request.b_from_a, &error);
   if (!b_from_a) {
-    *status = InvalidArgument(WrongInPlacement(request.b_from_a));
+    *status = InvalidArgument("b_from_a." + error);
     return std::nullopt;
   }
   if (!(request.scale >= kMinScale && request.scale <= kMaxScale)) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "rovio_sfm/geometry/check_calibration.h"
+#include "rovio_sfm/ros/check_transform.h"
 
 namespace rovio_sfm {
 namespace {
@@ -14,12 +15,6 @@ constexpr int64_t kNanosecondsPerSecond = 1000000000;
 constexpr std::array<size_t, 3> kPlanarAxes = {0, 1, 5};  // x, y and yaw of a 6-vector
 // In messages, as REP-145 marks it; a negative variance means nothing else.
 constexpr OdometryCovariance kUnknownCovariance = {-1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-
-bool IsFinite(const geometry_msgs::Transform& t) {
-  return std::isfinite(t.translation.x) && std::isfinite(t.translation.y) &&
-         std::isfinite(t.translation.z) && std::isfinite(t.rotation.x) &&
-         std::isfinite(t.rotation.y) && std::isfinite(t.rotation.z) && std::isfinite(t.rotation.w);
-}
 
 template <typename Array>
 bool AllFinite(const Array& values) {
@@ -119,13 +114,10 @@ geometry_msgs::Pose ToPose(const Rigid3& b_from_a) {
 }
 
 std::optional<Rigid3> FromTransform(const geometry_msgs::Transform& message, std::string* error) {
-  if (!IsFinite(message)) return RefuseMessage<Rigid3>("a number is not finite", error);
-  const Eigen::Quaterniond rotation = ToEigen(message.rotation);
-  if (std::abs(rotation.norm() - 1.0) > 1e-3) {
-    return RefuseMessage<Rigid3>("rotation: the quaternion's norm is not 1", error);
-  }
+  const std::string reason = WhyNoTransform(message);
+  if (!reason.empty()) return RefuseMessage<Rigid3>(reason, error);
   const auto& t = message.translation;
-  return Rigid3{rotation.normalized(), Eigen::Vector3d(t.x, t.y, t.z)};
+  return Rigid3{ToEigen(message.rotation).normalized(), Eigen::Vector3d(t.x, t.y, t.z)};
 }
 
 CameraMsg ToMessage(const Camera& camera) {

@@ -10,17 +10,19 @@
 #include <cmath>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
+#include <string_view>
 
 #include "rovio_sfm/ros/conversions.h"
 #include "rovio_sfm/ros/topics.h"
+#include "rovio_sfm/util/text_ends.h"
 
 namespace rovio_sfm {
 namespace {
 
 constexpr char kSetCameraInfo[] = "set_camera_info";
-constexpr char kFileScheme[] = "file://";
+constexpr std::string_view kFileScheme = "file://";
 
-bool IsShipped(const std::string& url) { return url.compare(0, 10, "package://") == 0; }
+bool IsShipped(const std::string& url) { return StartsWith(url, "package://"); }
 
 // Where image_transport's own compressed plug-in is installed it would publish a second, re-encoded
 // picture on the topic of the robot's own bytes.
@@ -82,9 +84,7 @@ std::string DriverImagePublisher::CalibrationFile() {
   const std::string url = info_manager_.resolveURL(
       camera_info_url_.empty() ? "file://${ROS_HOME}/camera_info/${NAME}.yaml" : camera_info_url_,
       camera_name_);
-  return url.compare(0, sizeof(kFileScheme) - 1, kFileScheme) == 0
-             ? url.substr(sizeof(kFileScheme) - 1)
-             : url;
+  return StartsWith(url, kFileScheme) ? url.substr(kFileScheme.size()) : url;
 }
 
 bool DriverImagePublisher::SetCameraInfo(sensor_msgs::SetCameraInfo::Request& request,
@@ -141,8 +141,9 @@ sensor_msgs::CameraInfo DriverImagePublisher::InfoFor(const CameraImage& image) 
   sensor_msgs::CameraInfo info = info_manager_.getCameraInfo();
   const auto width = static_cast<uint32_t>(image.width_px);
   const auto height = static_cast<uint32_t>(image.height_px);
-  is_calibrated_ = info.width == width && info.height == height && info.K[0] != 0.0;
-  if (info.width == width && info.height == height) return info;
+  const bool fits = info.width == width && info.height == height;
+  is_calibrated_ = fits && info.K[0] != 0.0;
+  if (fits) return info;
   if (!has_warned_of_size_) {
     ROS_WARN_NAMED("images", "images are %u x %u, the calibration is for %u x %u: uncalibrated",
                    width, height, info.width, info.height);

@@ -99,6 +99,15 @@ TEST(Conversions, ZeroQuaternionIsRefused) {
   EXPECT_FALSE(FromTransform(geometry_msgs::Transform(), &error));
 }
 
+TEST(Conversions, NamesTheNumberThatNoTransformHas) {
+  geometry_msgs::Transform message;
+  message.rotation.w = 1.0;
+  message.translation.z = std::nan("");
+  std::string error;
+  EXPECT_FALSE(FromTransform(message, &error));
+  EXPECT_EQ(error, "translation.z = nan: expected a finite number");
+}
+
 TEST(Conversions, OdometryRoundTripsWithItsCovariance) {
   const OdometrySample sample{1.0, -2.0, -3.0,
                               OdometryCovariance{1, 0.1, 0.2, 0.1, 2, 0.3, 0.2, 0.3, 3}};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "rovio_sfm/geometry/camera.h"
@@ -15,5 +16,8 @@ Camera IdealCamera(const Camera& camera);
 // camera did not see. Throws std::runtime_error where the bytes are no picture of the camera's
 // size.
 std::vector<uint8_t> UndistortImage(const std::vector<uint8_t>& encoded, const Camera& camera);
+
+// The name under which it is written: of a JPEG, whatever the picture was.
+std::string UndistortedName(const std::string& name);
 
 }  // namespace rovio_sfm

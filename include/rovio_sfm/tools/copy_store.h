@@ -20,8 +20,8 @@ FrameMaker DefaultFrameMaker();
 
 // Copies what reads of a map store into a new one. A session of which something does not read is
 // left out, its frames stay; edits that name it are undone. Throws StoreError where the target is
-// there already, cannot be written, or is a map.db of a
-// folder that another process maps into (std::runtime_error).
+// there already or cannot be written, std::runtime_error where it is the map.db of a folder that
+// another process maps into.
 StoreCopyReport RepairStore(const std::filesystem::path& from, const std::filesystem::path& to);
 
 // Puts two map stores into a new one: first's as they are, then second's with session and edit
