@@ -5,7 +5,7 @@ import os
 import shutil
 
 from acceptance.common import Line, dataset, fresh_folder
-from acceptance.endings import Running
+from acceptance.endings import Running, frames_of
 from acceptance.users import case, judge, program, says
 
 EVERY = ("--places", "none")
@@ -34,7 +34,7 @@ def stores(_quick):
     """A store that a program maps into is only read; what is no store says so."""
     out = fresh_folder("refusals/stores")
     with Running("map_images", dataset("leuven_castle"), "--out", out, *EVERY) as mapping:
-        mapping.wait_until((out / "map.db").exists)  # made under the lock
+        mapping.wait_until(lambda: (out / "map.db").exists() and frames_of(out / "map.db") > 0)  # a store afterwards too
         in_use = "another process maps into this folder"
         outcomes = [says("prune", program("map_tool", "prune", out / "map.db", "--descriptors"), {1}, in_use)]
     outcomes += [
