@@ -80,13 +80,13 @@ CameraCallbacks FrontendNode::Callbacks() {
 
 template <typename Message>
 void FrontendNode::OnImage(const boost::shared_ptr<const Message>& message) {
+  has_image_ = true;
   const std_msgs::Header& header = message->header;
   std::string error = "header.stamp is zero: expected the time when it was taken";
   ImageBytes bytes = header.stamp.isZero() ? nullptr : BytesOf(*message, &error);
   if (bytes == nullptr) {
     return CountMalformed("image refused: " + error);
   }
-  has_image_ = true;
   gate_.Add(
       {ToNanoseconds(header.stamp), header.frame_id, std::to_string(header.seq), std::move(bytes)},
       SteadySeconds());
@@ -94,6 +94,7 @@ void FrontendNode::OnImage(const boost::shared_ptr<const Message>& message) {
 }
 
 void FrontendNode::OnCameraInfo(const sensor_msgs::CameraInfo::ConstPtr& message) {
+  has_camera_info_ = true;
   std::string error;
   if (!sensors_.AddCameraInfo(*message, &error)) CountMalformed("camera_info refused: " + error);
 }
@@ -117,8 +118,7 @@ void FrontendNode::OnThresholds(FrontendThresholdsConfig& thresholds, uint32_t l
 }
 
 void FrontendNode::CountMalformed(const std::string& reason) {
-  ++num_malformed_;
-  newest_malformed_ = reason;
+  malformed_.Note(reason, SteadySeconds());
   ROS_WARN_STREAM_THROTTLE(kWarnPeriodS, reason);
 }
 
@@ -132,7 +132,7 @@ std::vector<AwaitedTopic> FrontendNode::Awaited() const {
                        node_.resolveName(topics.image + (is_raw ? "" : "/compressed")),
                        {"sensor_msgs/Image", "sensor_msgs/CompressedImage"}});
   }
-  if (!sensors_.HasCamera() && topics.camera_info != kGuessTopic) {
+  if (!has_camera_info_ && topics.camera_info != kGuessTopic) {
     awaited.push_back(
         {"camera_info", node_.resolveName(topics.camera_info), {"sensor_msgs/CameraInfo"}});
   }
@@ -164,8 +164,9 @@ void FrontendNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status)
     progress = progress_;
   }
   using Level = diagnostic_msgs::DiagnosticStatus;
-  if (progress.counters.images == 0 && !newest_malformed_.empty()) {
-    status.summary(Level::WARN, newest_malformed_);
+  const std::string malformed = malformed_.RecentReason(SteadySeconds());
+  if (!malformed.empty()) {
+    status.summary(Level::WARN, malformed);
   } else if (progress.counters.images == 0) {
     const char* reason = sensors_.HasCamera() ? "no images yet" : "no images or camera_info yet";
     status.summary(Level::WARN, reason);
@@ -184,8 +185,8 @@ void FrontendNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status)
   status.add("images spoilt", progress.counters.spoilt);
   status.add("images without features", progress.counters.featureless);
   status.add("images lost by the tracker", progress.counters.untracked);
-  status.add("malformed messages", num_malformed_);
-  status.add("newest malformed message", newest_malformed_);
+  status.add("malformed messages", malformed_.Count());
+  status.add("newest malformed message", malformed_.Reason());
   status.add("drives", progress.counters.drives);
   status.add("last image took ms", 1e3 * progress.last_duration_s);
 }

@@ -41,23 +41,30 @@ void TellDrives(const StoredFrames& frames, std::ostream& out) {
   }
 }
 
+template <typename Block>
+size_t CountIn(const std::vector<Block>& blocks) {
+  size_t count = 0;
+  for (const auto& block : blocks) count += block->size();
+  return count;
+}
+
 void TellSession(const SessionSnapshot& session, std::ostream& out) {
-  size_t num_frames = 0, num_landmarks = 0;
-  for (const auto& block : session.frames) num_frames += block->size();
-  for (const auto& block : session.landmarks) num_landmarks += block->size();
   out << "  " << session.id.value << ": map " << session.map.value << ", drive "
       << session.drive.ToString() << ", " << NameOf(session.state) << ", "
-      << CountText(num_frames, "posed frame") << ", " << CountText(num_landmarks, "landmark");
+      << CountText(CountIn(session.frames), "posed frame") << ", "
+      << CountText(CountIn(session.landmarks), "landmark");
   if (session.scale) out << ", " << session.scale->metres_per_unit << " m a unit";
   out << "\n";
 }
 
+// A map has posed frames, as in summary.json: a session that never began is none.
 void TellMaps(const Mapper& mapper, std::ostream& out) {
   const auto snapshot = mapper.Snapshot();
   std::map<MapId, std::string> maps;
   out << "sessions  " << snapshot->sessions.size() << "\n";
   for (const SessionSnapshot& session : snapshot->sessions) {
     TellSession(session, out);
+    if (CountIn(session.frames) == 0) continue;
     std::string& members = maps[session.map];
     members += (members.empty() ? "" : ", ") + std::to_string(session.id.value);
   }

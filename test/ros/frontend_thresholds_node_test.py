@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""dynamic_reconfigure of a running frontend: a change holds from the next image on."""
+"""A running frontend: thresholds by dynamic_reconfigure hold from the next image on; diagnostics."""
 
 import os
 import sys
@@ -7,11 +7,13 @@ import unittest
 
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray
 from dynamic_reconfigure.client import Client
 from rovio_sfm.msg import FrameEventMsg
+from sensor_msgs.msg import CameraInfo
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from driver_fixture import Collector
+from driver_fixture import Collector, diagnostic, wait_until
 from robot_images import Robot, WAIT_S
 
 
@@ -20,12 +22,25 @@ class FrontendThresholdsNodeTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.frames = Collector("/rovio1/frames", FrameEventMsg)
+        cls.diagnostics = Collector("/diagnostics", DiagnosticArray)
         cls.robot = Robot("rovio1")
         assert cls.robot.wait_until_heard()
         cls.client = Client("/rovio1/frontend/thresholds", timeout=WAIT_S)
 
     def next_frame(self, shift_px):
         return self.robot.send_until_frame(self.frames, shift_px)
+
+    def test_messages_of_no_use_are_told_while_they_come(self):
+        self.robot.info.publish(CameraInfo(width=640, height=480, distortion_model="plumb_bob"))
+
+        def told():
+            return diagnostic(self.diagnostics, "images to frames")
+
+        self.assertTrue(wait_until(lambda: "camera_info refused" in told()[1], WAIT_S), told())
+        self.assertEqual((told()[0], told()[2]["malformed messages"]), (1, "1"))
+        self.next_frame(0)
+        self.assertTrue(self.diagnostics.grows_by(2, WAIT_S))
+        self.assertIn("camera_info refused", told()[1])
 
     def test_starts_with_the_options_of_the_node(self):
         values = self.client.get_configuration(timeout=WAIT_S)

@@ -44,6 +44,20 @@ TEST_F(StoreContents, AreToldForPeople) {
   }
 }
 
+// Nor does summary.json count one.
+TEST_F(StoreContents, ASessionThatNeverBeganIsNoMap) {
+  const std::filesystem::path apart = folder_.Path() / "apart.db";
+  KeepTwoDrives(apart, false);
+  Spoil(apart,
+        "DELETE FROM keyframe WHERE session = 2; DELETE FROM keyframe_tracks WHERE session = 2;"
+        "DELETE FROM landmark_block WHERE session = 2");
+  std::ostringstream out;
+  TellContents(apart, out);
+  const std::string text = out.str();
+  EXPECT_NE(text.find("  2: map 2, drive "), std::string::npos) << text;
+  EXPECT_NE(text.find("maps      1\n  1: sessions 1\noverlaps"), std::string::npos) << text;
+}
+
 TEST_F(StoreContents, OfASoundStoreHaveNoFaults) { EXPECT_EQ(FaultsAfter(""), ""); }
 
 TEST_F(StoreContents, FaultsAreNamedEachByItself) {

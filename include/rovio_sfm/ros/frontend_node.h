@@ -20,6 +20,7 @@
 #include "rovio_sfm/ros/diagnostic_pace.h"
 #include "rovio_sfm/ros/event_history.h"
 #include "rovio_sfm/ros/frontend_thresholds.h"
+#include "rovio_sfm/ros/newest_refusal.h"
 #include "rovio_sfm/ros/robot_sensors.h"
 #include "rovio_sfm/ros/waiting_hints.h"
 #include "rovio_sfm/util/mutex.h"
@@ -88,9 +89,8 @@ class FrontendNode {
   tf2_ros::TransformListener transform_listener_;
   RobotSensors sensors_;
   ImageGate gate_;
-  uint64_t num_malformed_ = 0;
-  std::string newest_malformed_;  // why; empty: none since the newest good image
-  bool has_image_ = false;
+  NewestRefusal malformed_;
+  bool has_image_ = false, has_camera_info_ = false;  // whether one came, of use or not
   WaitingHints hints_;
   EventHistory history_;
   mutable Mutex mutex_;
