@@ -1,5 +1,6 @@
 """Section 6 of the third stage: bags, recorded, replayed and made."""
 
+import re
 import resource
 import signal
 
@@ -10,9 +11,10 @@ REPLAY = ("--mode", "every", "--places", "none")
 METRES, NOT_METRES = r"in metres", r"^not metric: "
 
 # Appends what a mapper published while an older bag was recorded.
-ADD_MAP_EDGE = """
+ADD_WHAT_NODES_SAID = """
 import sys, rosbag, rospy
-from geometry_msgs.msg import TransformStamped
+from geometry_msgs.msg import TransformStamped, Twist
+from rovio_sfm.msg import FrameEventMsg
 from tf2_msgs.msg import TFMessage
 edge = TransformStamped()
 edge.header.frame_id, edge.child_frame_id = "map", "session_1/map"
@@ -21,7 +23,10 @@ with rosbag.Bag(sys.argv[1]) as bag:
     edge.header.stamp = rospy.Time(bag.get_start_time() + 0.01)
 with rosbag.Bag(sys.argv[1], "a") as bag:
     bag.write("/tf", TFMessage([edge]), edge.header.stamp)
+    bag.write("/rovio1/frames", FrameEventMsg(), edge.header.stamp)
+    bag.write("/rovio1/cmd_vel", Twist(), edge.header.stamp)
 """
+INPUTS = ("camera_info", "odom", "image_raw/compressed", "image_raw")
 COUNT_EDGES = """
 import sys, rosbag
 with rosbag.Bag(sys.argv[1]) as bag:
@@ -151,7 +156,7 @@ def replays_live(_quick):
     outcomes = []
     for bag, robot in zip(bags, ("rovio1", "rovio2")):
         program("images_to_bag", case("sim16"), bag, "--robot", robot)
-    ended(DEVEL / "env.sh", "/usr/bin/python3", "-c", ADD_MAP_EDGE, bags[0])
+    ended(DEVEL / "env.sh", "/usr/bin/python3", "-c", ADD_WHAT_NODES_SAID, bags[0])
     result, _ = replay(bags[0])
     outcomes.append(says("an older bag's map", result, {0}, "1 transform of the map .* left out"))
     with Master("replay") as master:
@@ -162,6 +167,13 @@ def replays_live(_quick):
         def is_mapped():
             sessions = master.run("rosservice", "call", "/list_sessions").text
             return "rovio1" in sessions and "rovio2" in sessions
+
+        def played():
+            return set(re.findall(r"\* (\S+) \[", master.run("rosnode", "info", "/play").text))
+        inputs = {f"/{robot}/{topic}" for robot in ("rovio1", "rovio2") for topic in INPUTS}
+        plays = master.wait_for(lambda: "/rovio2/camera_info" in played(), 60)
+        others = played() - inputs - {"/clock", "/rosout", "/tf_recorded"}
+        outcomes.append(("inputs alone are played", plays and not others, others))
         outcomes.append(("two robots, two bags", master.wait_for(is_mapped, 180),
                          master.text_of(replaying)[-300:]))
         status = master.interrupt(replaying)

@@ -9,6 +9,8 @@
 namespace rovio_sfm {
 namespace {
 
+constexpr uint32_t kMaxIndicesWithoutOdometry = 10;
+
 std::vector<FrameId> NewestFrames(const std::map<DriveId, uint32_t>& next_indices) {
   std::vector<FrameId> newest;
   for (const auto& [drive, next_index] : next_indices) {
@@ -93,7 +95,7 @@ MapperReport MappingEngine::Add(const FrameEvent& event) {
   const bool is_registered =
       report.outcome == MapperOutcome::kKeyframe || report.outcome == MapperOutcome::kLight;
   if (is_registered) {
-    anchors_[event.id.drive.robot] = {report.session, event.id.index, event.odometry};
+    Anchor(event.id.drive.robot, {report.session, event.id.index, event.odometry});
   }
   Show();
   return report;
@@ -109,26 +111,38 @@ std::optional<Localization> MappingEngine::Localize(const FrameEvent& event) {
   ++num_events_;
   next_indices_[event.id.drive] = event.id.index + 1;
   std::optional<Localization> pose = state_->localizer->Add(event);
-  Anchor(pose);
+  astray_.insert(event.id.drive.robot);
+  if (pose) Anchor(*pose);
+  Show();
   return pose;
 }
 
 std::optional<Localization> MappingEngine::Localize(const PlaceMatch& match) {
   ++num_place_matches_;
   std::optional<Localization> pose = state_->localizer->Add(match);
-  Anchor(pose);
+  if (pose) Anchor(*pose);
+  Show();
   return pose;
 }
 
-// A robot stays where its newest frame put it.
-void MappingEngine::Anchor(const std::optional<Localization>& pose) {
-  if (pose) {
-    OdometryAnchor& anchor = anchors_[pose->id.drive.robot];
-    if (!anchor.localized || anchor.localized->stamp_ns <= pose->stamp_ns) {
-      anchor = {pose->session, pose->id.index, pose->odometry, FrameOf(*pose)};
-    }
+// A robot stays where its newest frame put it; a few frames without odometry do not part its wheels
+// from the map.
+void MappingEngine::Anchor(const std::string& robot, OdometryAnchor newer) {
+  OdometryAnchor& anchor = anchors_[robot];
+  const bool is_gap = anchor.odometry && !newer.odometry && anchor.session == newer.session &&
+                      newer.index - anchor.index <= kMaxIndicesWithoutOdometry;
+  if (!is_gap) anchor = std::move(newer);
+}
+
+void MappingEngine::Anchor(const Localization& pose) {
+  const std::string& robot = pose.id.drive.robot;
+  const auto anchor = anchors_.find(robot);
+  if (anchor != anchors_.end() && anchor->second.localized &&
+      anchor->second.localized->stamp_ns > pose.stamp_ns) {
+    return;
   }
-  Show();
+  astray_.erase(robot);
+  Anchor(robot, {pose.session, pose.id.index, pose.odometry, FrameOf(pose)});
 }
 
 void MappingEngine::ApplyDueResults() {
@@ -245,6 +259,7 @@ std::filesystem::path MappingEngine::Load(const std::filesystem::path& other) {
 void MappingEngine::BeginAnew() {
   state_ = std::make_unique<State>(options_, store_ ? &store_->store() : nullptr);
   anchors_.clear();
+  astray_.clear();
   saved_up_to_.clear();
   ++epoch_;
 }
@@ -269,6 +284,7 @@ void MappingEngine::Show() {
   if (localizes()) {
     picture.num_localized = state_->localizer->num_posed();
     picture.num_not_localized = state_->localizer->num_frames() - picture.num_localized;
+    picture.astray = astray_;
   }
   picture.saved_up_to = saved_up_to_;
   if (store_) picture.store_error = store_->store().error();

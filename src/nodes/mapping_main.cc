@@ -16,8 +16,8 @@ int Map(ros::NodeHandle node, ros::NodeHandle private_node) {
   MappingNodeOptions options = LoadMappingNodeOptions(ParametersOf(private_node));
   options.output_dir =
       NodeOutputFolder("output_dir", options.output_dir, CurrentOutputPlace()).string();
-  RequireWritableFolder(options.output_dir, kLeastFreeBytes);
-  ROS_INFO_STREAM("maps go to " << options.output_dir);
+  if (!options.localize) RequireWritableFolder(options.output_dir, kLeastFreeBytes);
+  ROS_INFO_STREAM((options.localize ? "maps are those of " : "maps go to ") << options.output_dir);
   MappingNode mapping(options, node, private_node);
   SpinUntilStopped([&] { mapping.Tick(); });
   const bool is_written = mapping.End();

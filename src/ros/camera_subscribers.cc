@@ -77,6 +77,10 @@ void CameraSubscribers::SubscribeOdometry(const std::string& name) {
   odom_ = node_.subscribe<nav_msgs::Odometry>(name, topics::kOdomQueue, callbacks_.on_odometry);
 }
 
+uint32_t CameraSubscribers::NumImagePublishers() const {
+  return compressed_ ? compressed_.getNumPublishers() : images_.getNumPublishers();
+}
+
 bool CameraSubscribers::IsComplete() const {
   return image_base_ && (camera_info_ || !needs_camera_info_) &&
          (odom_ || options_.odom == kNoTopic);

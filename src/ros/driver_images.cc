@@ -33,12 +33,15 @@ ImageReaderOptions ReaderOptions(const DriverOptions& options) {
 DriverImages::DriverImages(const ros::NodeHandle& handle, const DriverOptions& options,
                            const Credentials& credentials)
     : is_stationary_(options.capture_mode == CaptureMode::kStationary),
-      wanted_settings_(options.reports.wanted_settings),
-      has_settings_(!wanted_settings_),
+      keeps_settings_(options.reports.wanted_settings.has_value()),
       start_ns_(SteadyNs()),
+      resolution_(static_cast<size_t>(
+          options.reports.wanted_settings.value_or(CameraSettings{}).resolution)),
+      may_read_(!keeps_settings_),
+      has_settings_(!keeps_settings_),
       trigger_(options.stationary),
       transport_(options.http, credentials),
-      gate_(!is_stationary_ && !wanted_settings_),
+      gate_(!is_stationary_ && !keeps_settings_),
       publisher_(handle, options),
       publish_worker_(1, WhenFull::kDropOldest,
                       [this](const CameraImage& image) { publisher_.Publish(image); }),
@@ -66,21 +69,39 @@ void DriverImages::NoteMotion(bool is_moving, int64_t now_ns) {
   MutexLock lock(mutex_);
   trigger_.Note(is_moving, now_ns);
   // The one image of a stop waits for somebody to see it.
-  gate_.SetOpen(has_settings_ && trigger_.WantsImage(now_ns) && publisher_.HasListeners());
+  gate_.SetOpen(may_read_ && trigger_.WantsImage(now_ns) && publisher_.HasListeners());
 }
 
-void DriverImages::NoteSettings() {
+void DriverImages::BeginReading() {
+  may_read_ = true;
+  if (!is_stationary_) gate_.SetOpen(true);
+}
+
+// An image tells that it came too.
+void DriverImages::NoteLink(bool is_up, int64_t now_ns) {
   MutexLock lock(mutex_);
+  if (is_up) {
+    heard_ns_ = heard_ns_.value_or(now_ns);
+  } else if (keeps_settings_) {
+    heard_ns_.reset();
+    has_settings_ = false;
+  }
+}
+
+void DriverImages::NoteSettings(const SomeSettings& settings) {
+  MutexLock lock(mutex_);
+  const auto told = static_cast<size_t>(settings.resolution.value_or(0));
+  if (settings.resolution && told < kSizes.size()) resolution_ = told;
   has_settings_ = true;
   settings_ns_ = SteadyNs();
-  if (!is_stationary_) gate_.SetOpen(true);
+  BeginReading();
 }
 
 void DriverImages::CheckSettings(int64_t now_ns) {
   MutexLock lock(mutex_);
-  if (has_settings_ || now_ns - start_ns_ < kSettingsPatienceNs) return;
+  if (!may_read_ && now_ns - start_ns_ >= kSettingsPatienceNs) BeginReading();
+  if (has_settings_ || !heard_ns_ || now_ns - *heard_ns_ < kSettingsPatienceNs) return;
   has_settings_ = true;
-  if (!is_stationary_) gate_.SetOpen(true);
   ROS_WARN_NAMED("images",
                  "the robot has not told its camera settings for %d s: its images are "
                  "taken as they are",
@@ -89,14 +110,15 @@ void DriverImages::CheckSettings(int64_t now_ns) {
 
 // The robot reports a new size before it sends it.
 bool DriverImages::IsOfOldSize(const CameraImage& image) const {
-  if (!wanted_settings_ || image.complete_ns - settings_ns_ > kSizeChangeNs) return false;
-  const auto& [width_px, height_px] = kSizes[static_cast<size_t>(wanted_settings_->resolution)];
+  if (has_settings_ && image.complete_ns - settings_ns_ > kSizeChangeNs) return false;
+  const auto& [width_px, height_px] = kSizes[resolution_];
   return image.width_px != width_px || image.height_px != height_px;
 }
 
 void DriverImages::OnImage(CameraImage image) {
   {
     MutexLock lock(mutex_);
+    heard_ns_ = heard_ns_.value_or(image.complete_ns);
     if (IsOfOldSize(image)) return;
     statistics_.Add(image.first_byte_ns, image.complete_ns);
     if (is_stationary_) {

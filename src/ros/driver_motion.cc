@@ -102,13 +102,14 @@ RobotReporter::Callbacks DriverMotion::MakeReporterCallbacks() {
     report_came_.notify_all();
   };
   callbacks.on_link = [this](bool is_up, const std::string& reason) { OnLink(is_up, reason); };
-  callbacks.on_settings = [this](bool has_obeyed, const std::string& settings) {
+  callbacks.on_settings = [this](bool has_obeyed, const SomeSettings& settings) {
     if (has_obeyed) {
-      ROS_INFO_STREAM_NAMED("settings", "camera: " << settings);
+      ROS_INFO_STREAM_NAMED("settings", "camera: " << Describe(settings));
     } else {
-      ROS_WARN_STREAM_NAMED("settings", "the robot did not take the settings; it has " << settings);
+      ROS_WARN_STREAM_NAMED("settings",
+                            "the robot did not take the settings; it has " << Describe(settings));
     }
-    hooks_.on_settings();
+    hooks_.on_settings(settings);
   };
   callbacks.now_ns = RosNs;
   callbacks.steady_ns = SteadyNs;
@@ -174,6 +175,7 @@ void DriverMotion::OnLink(bool is_up, const std::string& reason) {
   } else {
     ROS_WARN_STREAM_NAMED("link", "the robot at " << options_.http.host << " is away: " << reason);
   }
+  hooks_.on_link(is_up, SteadyNs());
   MutexLock lock(mutex_);
   state_.is_up = is_up;
   state_.reason = reason;

@@ -1,5 +1,6 @@
 #include "rovio_sfm/ros/frame_subscriber.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -47,6 +48,11 @@ void FrameSubscriber::OnFrame(const std::string& robot, size_t subscriber,
     return Refuse("frame refused: " + *refusal);
   }
   handler_(message.getConstMessage(), std::move(*event));
+}
+
+bool FrameSubscriber::HasSenders() const {
+  return std::any_of(subscribers_.begin(), subscribers_.end(),
+                     [](const ros::Subscriber& robot) { return robot.getNumPublishers() > 0; });
 }
 
 void FrameSubscriber::Refuse(const std::string& reason) {

@@ -170,6 +170,8 @@ void FrontendNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status)
   } else if (progress.counters.images == 0) {
     const char* reason = sensors_.HasCamera() ? "no images yet" : "no images or camera_info yet";
     status.summary(Level::WARN, reason);
+  } else if (subscribers_.NumImagePublishers() == 0) {
+    status.summary(Level::WARN, "nobody publishes images any more");
   } else if (!progress.last_refusal.empty()) {
     status.summary(Level::WARN, progress.last_refusal);
   } else {

@@ -13,10 +13,26 @@ std::string MappingNode::RecentRefusal() const {
   return "";
 }
 
+void MappingNode::SummarizeMaps(const MapPicture& picture,
+                                diagnostic_updater::DiagnosticStatusWrapper* status) const {
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  const auto& sessions = picture.snapshot->sessions;
+  std::string astray;
+  for (const std::string& robot : picture.astray) astray += " " + robot;
+  if (!astray.empty()) {
+    status->summary(Level::WARN, "not found in the map:" + astray);
+  } else if (options_.localize) {
+    status->summary(Level::OK, "robots are found in the map");
+  } else if (!sessions.empty() && sessions.back().state == SessionState::kBootstrapping) {
+    status->summary(Level::WARN, "the newest session looks for its first two frames");
+  } else {
+    status->summary(Level::OK, "frames are mapped");
+  }
+}
+
 void MappingNode::Summarize(const MapPicture& picture,
                             diagnostic_updater::DiagnosticStatusWrapper* status) const {
   using Level = diagnostic_msgs::DiagnosticStatus;
-  const auto& sessions = picture.snapshot->sessions;
   if (!picture.store_error.empty()) {
     status->summary(Level::ERROR, "maps are not saved any more: " + picture.store_error);
   } else if (const std::string foreign = frame_subscriber_.foreign().RecentReason(SteadySeconds());
@@ -26,10 +42,10 @@ void MappingNode::Summarize(const MapPicture& picture,
     status->summary(Level::WARN, refusal);
   } else if (picture.num_events == 0) {
     status->summary(Level::WARN, "no frames yet");
-  } else if (!sessions.empty() && sessions.back().state == SessionState::kBootstrapping) {
-    status->summary(Level::WARN, "the newest session looks for its first two frames");
+  } else if (!frame_subscriber_.HasSenders()) {
+    status->summary(Level::WARN, "no frontend runs any more");
   } else {
-    status->summary(Level::OK, "frames are mapped");
+    SummarizeMaps(picture, status);
   }
 }
 
@@ -59,6 +75,8 @@ void MappingNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) 
   status.add("sessions lost", picture.counters.lost_sessions);
   status.add("keyframes", picture.counters.keyframes);
   status.add("light frames", picture.counters.light_frames);
+  status.add("frames localized", picture.num_localized);
+  status.add("frames not localized", picture.num_not_localized);
 }
 
 }  // namespace rovio_sfm

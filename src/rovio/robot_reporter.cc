@@ -49,10 +49,10 @@ RobotOutcome RobotReporter::FetchReport() {
 void RobotReporter::KeepSettings(const SomeSettings& present) {
   const SettingsKeeper::Step step = settings_.Next(present, callbacks_.steady_ns());
   if (step == SettingsKeeper::Step::kRequest) {
-    const RobotOutcome outcome = client_.RequestSettings(SomeSettings(settings_.Wanted()), present);
+    const RobotOutcome outcome = client_.RequestSettings(settings_.Wanted(), present);
     settings_.MarkRequested(outcome.IsOk(), callbacks_.steady_ns());
   } else if (step != SettingsKeeper::Step::kNothing) {
-    callbacks_.on_settings(step == SettingsKeeper::Step::kAgreed, Describe(present));
+    callbacks_.on_settings(step == SettingsKeeper::Step::kAgreed, present);
   }
 }
 
@@ -72,6 +72,7 @@ void RobotReporter::NoteFailure(const RobotOutcome& outcome) {
   const bool is_silent = now_ns - *silent_since_ns_ >= options_.max_silence_ns;
   if ((++num_failures_in_row_ < options_.max_failures && !is_silent) || is_up_ == false) return;
   is_up_ = false;
+  settings_.BeginAgain();
   callbacks_.on_link(false, outcome.message);
 }
 

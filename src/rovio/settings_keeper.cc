@@ -13,6 +13,15 @@ bool AreAllKnown(const SomeSettings& settings) {
   return settings.resolution && settings.compression && settings.frame_rate && settings.brightness;
 }
 
+// The newer ones, where they are known.
+SomeSettings Latest(const SomeSettings& newer, SomeSettings settings) {
+  if (newer.resolution) settings.resolution = newer.resolution;
+  if (newer.compression) settings.compression = newer.compression;
+  if (newer.frame_rate) settings.frame_rate = newer.frame_rate;
+  if (newer.brightness) settings.brightness = newer.brightness;
+  return settings;
+}
+
 std::string TextOf(const std::optional<int>& value) { return value ? std::to_string(*value) : "?"; }
 
 }  // namespace
@@ -22,9 +31,17 @@ bool AreAgreed(const SomeSettings& a, const SomeSettings& b) {
          AreAgreedOn(a.frame_rate, b.frame_rate) && AreAgreedOn(a.brightness, b.brightness);
 }
 
+SettingsKeeper::SettingsKeeper(const std::optional<CameraSettings>& wanted) {
+  if (wanted) wanted_ = SomeSettings(*wanted);
+}
+
 SettingsKeeper::Step SettingsKeeper::Next(const SomeSettings& present, int64_t now_ns) {
-  if (is_done_ || !wanted_) return Step::kNothing;
-  if (AreAgreed(present, SomeSettings(*wanted_)) && (requested_ns_ || AreAllKnown(present))) {
+  if (!wanted_) return Step::kNothing;
+  if (is_done_) {  // by a service, by another hand, or for good
+    wanted_ = Latest(present, *wanted_);
+    return Step::kNothing;
+  }
+  if (AreAgreed(present, *wanted_) && (was_requested_ || AreAllKnown(present))) {
     is_done_ = true;
     return Step::kAgreed;
   }
@@ -35,7 +52,14 @@ SettingsKeeper::Step SettingsKeeper::Next(const SomeSettings& present, int64_t n
 }
 
 void SettingsKeeper::MarkRequested(bool has_arrived, int64_t now_ns) {
-  if (has_arrived) requested_ns_ = now_ns;
+  if (!has_arrived) return;
+  requested_ns_ = now_ns;
+  was_requested_ = true;
+}
+
+void SettingsKeeper::BeginAgain() {
+  requested_ns_.reset();
+  is_done_ = false;
 }
 
 std::string Describe(const SomeSettings& settings) {

@@ -51,6 +51,26 @@ TEST(MappingEngine, TwoRobotsDriveSideBySide) {
   }
 }
 
+// One frame that lost its odometry does not part the wheels from the map; ten do.
+TEST(MappingEngine, AnchorsRobotsAtFramesWithOdometry) {
+  MappingEngine engine((MapOptions()));
+  const auto anchor_after = [&](std::vector<FrameEvent>& events, uint32_t first_without) {
+    for (FrameEvent& event : events) {
+      event.odometry =
+          event.id.index < first_without ? std::optional(OdometrySample{}) : std::nullopt;
+      EXPECT_NE(engine.Add(event).outcome, MapperOutcome::kRefused);
+    }
+    return engine.Picture().anchors.at(events.front().id.drive.robot);
+  };
+  TwoDrives two = MakeTwoDrives();
+  const auto last = static_cast<uint32_t>(two.a.size()) - 1;
+  ASSERT_GT(last, 12u);
+  EXPECT_EQ(anchor_after(two.a, last).index, last - 1);
+  const OdometryAnchor without = anchor_after(two.b, last - 11);
+  EXPECT_EQ(without.index, last);
+  EXPECT_FALSE(without.odometry);
+}
+
 TEST(MappingEngine, FinishingAnUnknownRobotSaysSo) {
   MappingEngine engine((MapOptions()));
   EXPECT_FALSE(engine.FinishSession("rovio9"));

@@ -11,13 +11,14 @@ import unittest
 
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseStamped
 from rovio_sfm.msg import FrameEventMsg, MapStatus, PlaceMatchMsg, Status
 from rovio_sfm.srv import FinishSession, LoadMap, Reset, UnmergeSession
 from tf2_msgs.msg import TFMessage
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from driver_fixture import Collector, program, wait_until
+from driver_fixture import Collector, diagnostic, program, wait_until
 from synthetic_drives import World
 
 WAIT_S = 90.0  # sanitizers and busy machines take their time
@@ -71,7 +72,14 @@ class MappingLocalizeTest(unittest.TestCase):
         before = self.wait_for(lambda s: s.sessions)
         poses, edges = Collector("/pose", PoseStamped), Collector("/tf", TFMessage)
         self.assertTrue(wait_until(lambda: poses.subscriber.get_num_connections() == 1, WAIT_S))
+        diagnostics = Collector("/diagnostics", DiagnosticArray)
+
+        def told():
+            return diagnostic(diagnostics, "frames to maps")
+
         self.drive(1, 0, 9)
+        self.assertTrue(wait_until(lambda: told()[1] == "not found in the map: rovio2", WAIT_S), told())
+        self.assertEqual(told()[0], 1)
         self.matches.publish(self.world.place_match(2 * 8 + 1, 2 * 8))
         self.wait_for(lambda s: s.num_localized == 1)
         self.drive(1, 9, NUM_FRAMES)
@@ -82,8 +90,19 @@ class MappingLocalizeTest(unittest.TestCase):
         children = {edge.child_frame_id for message in edges.messages for edge in message.transforms}
         self.assertIn("rovio2/odom", children)
         self.assertEqual(after.num_not_localized, 8)
+        self.assertTrue(wait_until(lambda: told()[1] == "robots are found in the map", WAIT_S), told())
+        self.assertEqual((told()[0], told()[2]["frames localized"]), (0, str(NUM_FRAMES - 8)))
         self.assertEqual(after.sessions, before.sessions)
         self.expect_read_only()
+
+    def test_a_mistyped_folder_is_not_made(self):
+        missing = os.path.join(self.folder, "mistyped")
+        rospy.set_param("/mapping", {"robots": ["rovio1"], "output_dir": missing, "localize": True})
+        run = subprocess.run([program("mapping"), "__name:=mapping"], stdout=subprocess.PIPE,
+                             stderr=subprocess.STDOUT, universal_newlines=True, timeout=WAIT_S)
+        self.assertEqual(run.returncode, 1, run.stdout)
+        self.assertIn(missing + "/map.db: cannot be opened: no such file", run.stdout)
+        self.assertFalse(os.path.exists(missing))
 
     def expect_true(self, pose):
         """Of the second drive's last frame; a session's frame is its first base, x forward, y left."""

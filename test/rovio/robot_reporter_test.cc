@@ -36,7 +36,7 @@ class RobotReporterTest : public testing::Test {
       links_.push_back(is_up);
       reason_ = reason;
     };
-    callbacks.on_settings = [this](bool has_obeyed, const std::string&) {
+    callbacks.on_settings = [this](bool has_obeyed, const SomeSettings&) {
       obeyed_.push_back(has_obeyed);
     };
     callbacks.now_ns = [this] { return now_ns_ + clock_offset_ns_; };
@@ -131,6 +131,27 @@ TEST_F(RobotReporterTest, AsksForTheSettingsOnceAndReadsThemBack) {
   EXPECT_EQ(num_reports_, 10);
   EXPECT_EQ(std::count(robot_.targets.begin(), robot_.targets.end(), ResolutionTarget(3)), 1);
   EXPECT_EQ(obeyed_, (std::vector<bool>{false}));  // this robot answers 200 and does nothing
+}
+
+// A robot that starts anew has forgotten what it was asked for.
+TEST_F(RobotReporterTest, AsksForTheSettingsAgainWhenTheRobotWasAway) {
+  std::string obeyed = kReport;
+  obeyed.replace(obeyed.find("resolution=2"), 12, "resolution=3");
+  robot_.Answer(ResolutionTarget(3), FakeHttpTransport::Ok(""));
+  for (const bool goes_away : {true, false}) {
+    robot_.Answer(ReportTarget(), FakeHttpTransport::Ok(kReport));
+    robot_.Answer(ReportTarget(), FakeHttpTransport::Ok(obeyed));
+    for (int i = 0; goes_away && i < options_.max_failures; ++i) {
+      robot_.Answer(ReportTarget(), FakeHttpTransport::Fault(HttpFault::kConnect));
+    }
+  }
+  for (int i = 0; i < 8; ++i) {
+    now_ns_ += 10'000'000'000;
+    reporter_->AskReport();
+  }
+  EXPECT_EQ(std::count(robot_.targets.begin(), robot_.targets.end(), ResolutionTarget(3)), 2);
+  EXPECT_EQ(obeyed_, (std::vector<bool>{true, true}));
+  EXPECT_EQ(links_, (std::vector<bool>{true, false, true}));
 }
 
 }  // namespace

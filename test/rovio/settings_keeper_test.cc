@@ -48,6 +48,29 @@ TEST(SettingsKeeper, AsksOnceForWhatTheRobotDoesNotTellAndTakesItAsGranted) {
   EXPECT_EQ(Describe(present), "resolution 3, compression 2, frame_rate ?, brightness 6");
 }
 
+TEST(SettingsKeeper, WishesForWhatTheRobotHadLastWhenItWasAway) {
+  SettingsKeeper keeper(CameraSettings{});
+  EXPECT_EQ(keeper.Next(SomeSettings(CameraSettings{}), 0), Step::kAgreed);
+  EXPECT_EQ(keeper.Next(OtherSettings(), 1 * kSecond), Step::kNothing);  // a service asked for them
+  keeper.BeginAgain();
+  EXPECT_EQ(keeper.Next(OtherSettings(), 2 * kSecond), Step::kAgreed);
+  keeper.BeginAgain();
+  EXPECT_EQ(keeper.Next(SomeSettings(CameraSettings{}), 3 * kSecond), Step::kRequest);
+  EXPECT_EQ(keeper.Wanted().resolution, 2);
+}
+
+// Every request wears out its flash.
+TEST(SettingsKeeper, AsksNoSecondTimeForWhatTheRobotDoesNotTell) {
+  SettingsKeeper keeper(CameraSettings{});
+  SomeSettings present{CameraSettings{}};
+  present.frame_rate.reset();
+  EXPECT_EQ(keeper.Next(present, 0), Step::kRequest);
+  keeper.MarkRequested(true, 0);
+  EXPECT_EQ(keeper.Next(present, 1 * kSecond), Step::kAgreed);
+  keeper.BeginAgain();
+  EXPECT_EQ(keeper.Next(present, 2 * kSecond), Step::kAgreed);
+}
+
 TEST(SettingsKeeper, LeavesTheRobotAloneWhenNothingIsWanted) {
   SettingsKeeper keeper(std::nullopt);
   EXPECT_EQ(keeper.Next(OtherSettings(), 0), Step::kNothing);

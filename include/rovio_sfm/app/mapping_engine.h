@@ -40,7 +40,8 @@ struct MapPicture {
   uint64_t number = 0;  // raised with every picture
   uint64_t epoch = 0;   // raised when all maps are forgotten: sessions are numbered anew
   std::shared_ptr<const MapSnapshot> snapshot;
-  std::map<std::string, OdometryAnchor> anchors;  // by robot, of its newest registered frame
+  // By robot, of its newest registered frame; where that has no odometry, of one shortly before.
+  std::map<std::string, OdometryAnchor> anchors;
   MapperCounters counters;
   std::map<std::string, MotionCounts> motion;  // by robot
   uint64_t num_events = 0;
@@ -50,7 +51,8 @@ struct MapPicture {
   uint64_t num_place_matches = 0, num_matches_waiting = 0, num_matches_repeated = 0;
   std::vector<FrameId> saved_up_to;  // the newest frame of each drive that is on disk
   uint64_t num_localized = 0, num_not_localized = 0;  // frames, while maps are only read
-  std::string store_error;  // why nothing is saved any more; empty: all is well
+  std::set<std::string> astray;  // robots whose newest frame was not found in such a map
+  std::string store_error;       // why nothing is saved any more; empty: all is well
 };
 
 // One sentence for each robot that has posed frames but no metric scale: why.
@@ -116,7 +118,8 @@ class MappingEngine {
   };
 
   void Resume();
-  void Anchor(const std::optional<Localization>& pose);
+  void Anchor(const std::string& robot, OdometryAnchor newer);
+  void Anchor(const Localization& pose);
   void BeginAnew();
   bool EnterDrive(const DriveId& drive, std::string* error);
   std::optional<SessionId> RunningSession(const DriveId& drive) const;
@@ -131,6 +134,7 @@ class MappingEngine {
   std::set<DriveId> ended_drives_;
   std::map<DriveId, uint32_t> next_indices_;
   std::map<std::string, OdometryAnchor> anchors_;
+  std::set<std::string> astray_;
   std::map<std::string, MotionCounts> motion_;
   uint64_t epoch_ = 0, num_events_ = 0, num_place_matches_ = 0;
   mutable Mutex mutex_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,11 @@ inline void AddRobotNames(OptionTable& table, std::vector<std::string>& robots,
     return IsValidRobotName(robot, &error);
   });
   table.AddTexts("robots", robots, reason);
-  table.AddRule("robots", are_names && !robots.empty() && robots.size() <= 32,
-                "1 to 32 names of 1 to 32 characters a-z, 0-9 or _, each beginning with a letter");
+  const bool are_different =
+      std::set<std::string>(robots.begin(), robots.end()).size() == robots.size();
+  table.AddRule(
+      "robots", are_names && are_different && !robots.empty() && robots.size() <= 32,
+      "1 to 32 different names of 1 to 32 characters a-z, 0-9 or _, each beginning with a letter");
 }
 
 }  // namespace rovio_sfm

@@ -34,6 +34,8 @@ class CameraSubscribers {
   // Looks for what is to be guessed; call often. Throws std::runtime_error that lists them where
   // there are several of a kind.
   void Search();
+  // How many nodes publish the images.
+  uint32_t NumImagePublishers() const;
 
  private:
   void SubscribeImages(const ImageTopic& topic);

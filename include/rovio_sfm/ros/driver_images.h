@@ -34,9 +34,11 @@ class DriverImages {
   // Tells the stationary mode whether the robot moves, at this steady time. Any thread.
   void NoteMotion(bool is_moving, int64_t now_ns) EXCLUDES(mutex_);
 
-  // The camera has its settings; until then no image is taken, so that none has another size. Any
+  // The robot answers, or is away: it may come back with other settings. Any thread, steady time.
+  void NoteLink(bool is_up, int64_t now_ns) EXCLUDES(mutex_);
+  // The camera has these settings; until they are known no image of another size is taken. Any
   // thread.
-  void NoteSettings() EXCLUDES(mutex_);
+  void NoteSettings(const SomeSettings& settings) EXCLUDES(mutex_);
   // Call now and then: a robot that says nothing of its settings is taken as it is after a while.
   void CheckSettings(int64_t now_ns) EXCLUDES(mutex_);
 
@@ -50,15 +52,18 @@ class DriverImages {
   ImageReader::Callbacks MakeCallbacks();
   void OnImage(CameraImage image) EXCLUDES(mutex_);
   void OnLink(ImageLink link, const std::string& reason) EXCLUDES(mutex_);
-
+  void BeginReading() REQUIRES(mutex_);
   bool IsOfOldSize(const CameraImage& image) const REQUIRES(mutex_);
 
   const bool is_stationary_;
-  const std::optional<CameraSettings> wanted_settings_;
+  const bool keeps_settings_;  // asks for some, and asks again when the robot was away
+  const int64_t start_ns_;     // steady, as the times below
   mutable Mutex mutex_;
-  bool has_settings_ GUARDED_BY(mutex_);
-  int64_t settings_ns_ GUARDED_BY(mutex_) = INT64_MIN / 2;  // steady: when NoteSettings came
-  const int64_t start_ns_;                                  // steady
+  size_t resolution_ GUARDED_BY(mutex_);  // wished for, or what the robot has instead
+  bool may_read_ GUARDED_BY(mutex_);      // settings came once, or were waited for
+  bool has_settings_ GUARDED_BY(mutex_);  // they came since the robot did, or never will
+  int64_t settings_ns_ GUARDED_BY(mutex_) = INT64_MIN / 2;  // when NoteSettings came
+  std::optional<int64_t> heard_ns_ GUARDED_BY(mutex_);      // when the robot came, if it is there
   StationaryTrigger trigger_ GUARDED_BY(mutex_);
   ImageStatistics statistics_ GUARDED_BY(mutex_);
   ImageLink link_ GUARDED_BY(mutex_) = ImageLink::kConnecting;

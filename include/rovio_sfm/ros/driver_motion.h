@@ -33,7 +33,9 @@ struct RobotState {
 // What the wheels' side tells the images' side, from its workers.
 struct MotionHooks {
   std::function<void(bool is_moving, int64_t now_ns)> on_motion;  // for each reading; steady time
-  std::function<void()> on_settings;  // once: the camera has its settings, or never will
+  std::function<void(bool is_up, int64_t now_ns)> on_link;        // when it changes; steady time
+  // Once each time the robot comes: the camera has its settings, or never will.
+  std::function<void(const SomeSettings& settings)> on_settings;
 };
 
 // Wheels and health of one robot: commands from cmd_vel on one worker, readings on another. It

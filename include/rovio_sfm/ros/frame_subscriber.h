@@ -25,6 +25,8 @@ class FrameSubscriber {
 
   // Hands on nothing more.
   void Stop() { subscribers_.clear(); }
+  // Whether anybody is connected who may send.
+  bool HasSenders() const;
   const NewestRefusal& refused() const { return refused_; }
   // Of those: of a foreign sender.
   const NewestRefusal& foreign() const { return foreign_; }

@@ -67,6 +67,8 @@ class MappingNode {
   bool IsTimeUp() const;
   // Why something was refused within the last half minute; else empty.
   std::string RecentRefusal() const;
+  void SummarizeMaps(const MapPicture& picture,
+                     diagnostic_updater::DiagnosticStatusWrapper* status) const;
   void Summarize(const MapPicture& picture,
                  diagnostic_updater::DiagnosticStatusWrapper* status) const;
   void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);

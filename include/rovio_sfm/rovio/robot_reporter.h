@@ -13,7 +13,7 @@
 namespace rovio_sfm {
 
 struct ReporterOptions {
-  std::optional<CameraSettings> wanted_settings;  // asked for once, when the robot is there
+  std::optional<CameraSettings> wanted_settings;  // asked for once each time the robot comes
   int max_failures = 3;                           // in a row; then the link counts as down,
   int64_t max_silence_ns = 2'000'000'000;         // as after so long without an answer
   BackOffOptions back_off;
@@ -36,8 +36,9 @@ class RobotReporter {
     std::function<void()> on_lost_mcu;  // asked, not answered: its ticks may be gone
     std::function<void(const RobotReport&)> on_report;
     std::function<void(bool is_up, const std::string& reason)> on_link;  // when it changes
-    std::function<void(bool has_obeyed, const std::string& settings)> on_settings;  // once
-    std::function<int64_t()> now_ns;                                                // of stamps
+    // Once each time the robot comes.
+    std::function<void(bool has_obeyed, const SomeSettings& settings)> on_settings;
+    std::function<int64_t()> now_ns;     // of stamps
     std::function<int64_t()> steady_ns;  // of everything else
   };
 

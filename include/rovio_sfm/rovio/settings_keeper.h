@@ -11,12 +11,13 @@ namespace rovio_sfm {
 // Brings the camera to the wished settings once, and finds out whether the robot obeyed: it answers
 // before it acts and hides refusals, and every change wears out its flash. So: one request, then
 // reports are compared until they agree or the patience ends. What the robot does not report is
-// asked for, and taken as granted. Times in ns. Not thread-safe.
+// asked for, and taken as granted. A robot that was away may have forgotten: what it had last is
+// wished for again. Times in ns. Not thread-safe.
 class SettingsKeeper {
  public:
   enum class Step { kNothing, kRequest, kAgreed, kRefused };
 
-  explicit SettingsKeeper(const std::optional<CameraSettings>& wanted) : wanted_(wanted) {}
+  explicit SettingsKeeper(const std::optional<CameraSettings>& wanted);
 
   // What to do now that the robot reports these settings. kAgreed and kRefused come once.
   Step Next(const SomeSettings& present, int64_t now_ns);
@@ -24,13 +25,17 @@ class SettingsKeeper {
   // After kRequest; has_arrived is false when it could not be sent: the next report asks again.
   void MarkRequested(bool has_arrived, int64_t now_ns);
 
+  // The robot is away: the next report is looked at as the first one was.
+  void BeginAgain();
+
   // Neither agreed nor refused yet: what changes is our own doing.
   bool IsSettling() const { return wanted_ && !is_done_; }
-  const CameraSettings& Wanted() const { return *wanted_; }
+  const SomeSettings& Wanted() const { return *wanted_; }
 
  private:
-  std::optional<CameraSettings> wanted_;
+  std::optional<SomeSettings> wanted_;
   std::optional<int64_t> requested_ns_;
+  bool was_requested_ = false;  // ever: what is not reported is granted
   bool is_done_ = false;
 };
 
