@@ -71,6 +71,7 @@ MappingNode::MappingNode(const MappingNodeOptions& options, ros::NodeHandle node
     : options_(options),
       node_(node),
       engine_(options.mapper, OpenStore(options)),
+      news_(engine_.Picture()),
       maps_(options.output_dir, options.overwrite),
       publisher_(node, options.cloud_period_s),
       history_(kHistoryEvents, kHistoryBytes),
@@ -107,6 +108,8 @@ void MappingNode::StartTimers() {
   map_timer_ =
       node_.createWallTimer(ros::WallDuration(kMapPeriodS), [this](const ros::WallTimerEvent&) {
         publisher_.PublishMap(engine_.Picture(), Counters(), false);
+        for (const std::string& sentence : news_.Since(engine_.Picture()))
+          ROS_INFO_STREAM(sentence);
         finish_.Publish(engine_.Picture());
         // The time of now: answers that are queued already are taken before it is looked at.
         worker_.Push(kClockLane, [this, now_s = SteadySeconds()] {

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "rovio_sfm/app/gap_filler.h"
+#include "rovio_sfm/app/live_news.h"
 #include "rovio_sfm/app/mapping_engine.h"
 #include "rovio_sfm/app/mapping_node_options.h"
 #include "rovio_sfm/ros/diagnostic_pace.h"
@@ -109,6 +110,7 @@ class MappingNode {
   const MappingNodeOptions options_;
   ros::NodeHandle node_;
   MappingEngine engine_;
+  LiveNews news_;
   FinalMaps maps_;
   bool has_ended_ = false;
   WaitingHints hints_;
