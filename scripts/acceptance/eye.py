@@ -17,7 +17,7 @@ LATER_PARTS = re.compile(
     r"|merging/(localizer|map_keeper_store)|recognition/largest_features|matching/match_(posed|in_range)|dense/|finish/|surface/"
     r"|sim/tour/sample_surface|sfm/refine_intrinsics|scene/session_camera"
     r"|util/(nearest_rows|checksum|load_document|parse_arguments)|geometry/check_calibration"
-    r"|app/(map_formats|map_products|store_folder|folder_lock|write_model_files|finish_map|write_page|web_|map_web|live_|thumbnail)"
+    r"|app/(map_formats|map_file_list|map_products|store_folder|folder_lock|write_model_files|finish_map|write_page|web_|map_web|live_|thumbnail)"
     r"|report/(collect_model|name_pictures|drive_names|page_data)"
     r"|ros/(map_store_files|map_web|web_server|live_|mapping_control|finish_actions|map_finisher|product_"
     r"|taken_map|export_folder))\w*\.cc$|srv/(Load|Save)Map|action/|(Densify|ReconstructSurface)\w*\.msg")

@@ -45,6 +45,7 @@ def another_folder(first, second):
     strided = maps(first, "--stride", 2, "--out", out, "--resume")
     outcomes.append(says("other pictures of a known folder are told", strided, {0, 2},
                          "stride and mode must be those of the run before"))
+    outcomes.append(holds_drives(out / "map.db", 2))
     return outcomes
 
 

@@ -118,23 +118,30 @@ def write_table(rows):
 
 
 def overwrite(_quick):
-    """Nothing is replaced unasked; what is replaced leaves nothing; nothing registered is status 2."""
+    """Nothing is replaced unasked; what is replaced leaves nothing, and what is the user's; nothing
+    registered is status 2."""
     out = fresh_folder("kept_overwrite")
     options = ("--out", out, "--mode", "every", "--places", "none")
-    run(PROGRAMS / "map_images", cases() / "good7", *options)
+    run(PROGRAMS / "map_images", cases() / "good7", *options, "--format", "tum,ply,ply_ascii,kitti,colmap,nvm,report")
+    older = [path for path in names_in(out) if "kitti" in path or "colmap" in path or "nvm" in path]
+    mine = ["trajectory_true.txt", "map_2/cloud.ply", "kitti/notes.txt"]
     (out / "map_2").mkdir()
-    (out / "map_2/cloud.ply").write_text("older")
-    (out / "trajectory_older.txt").write_text("older")
+    for name in mine:
+        (out / name).write_text("mine")
     refused = subprocess.run([str(word) for word in (PROGRAMS / "map_images", cases() / "good7", *options)],
                              capture_output=True, text=True, check=False)
     run(PROGRAMS / "map_images", cases() / "good7", *options, "--overwrite")
-    left = [name for name in names_in(out) if "older" in name or "map_2" in name]
+    written = {"map.db", "map.db.lock", "map.db-shm", "map.db-wal", "map_files.txt", "summary.json", "trajectory.txt",
+               "cloud.ply"}
+    left = [name for name in names_in(out) if name not in written and name not in mine]
+    lost = [name for name in mine if name not in names_in(out)]
     black = subprocess.run([str(word) for word in (PROGRAMS / "map_images", cases() / "black", *options[2:],
                                                    "--out", fresh_folder("kept_black"))],
                            capture_output=True, text=True, check=False)
-    holds = (refused.returncode == 1 and "exists" in refused.stderr and not left and black.returncode == 2
+    holds = (refused.returncode == 1 and "exists" in refused.stderr and len(older) > 7 and not left and not lost
+             and black.returncode == 2
              and "no image was registered" in black.stdout)
-    return holds, f"unasked {refused.returncode}; left by the older run: {left}; black {black.returncode}"
+    return holds, f"unasked {refused.returncode}; left of {len(older)} by the older run: {left}; lost: {lost}; black {black.returncode}"
 
 
 def replacing(_quick):

@@ -5,11 +5,14 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
 #include "rovio_sfm/app/load_options.h"
+#include "rovio_sfm/app/map_file_list.h"
 #include "rovio_sfm/app/write_map_files.h"
+#include "rovio_sfm/report/level_session.h"
 #include "rovio_sfm/util/check_options.h"
 #include "rovio_sfm/util/count_text.h"
 #include "rovio_sfm/util/load_document.h"
@@ -50,6 +53,25 @@ std::string WhyNowhere(const PlaceCounters& places) {
       << places.candidates << " places proposed " << places.refused_geometry + places.refused_spread
       << " show another arrangement of points";
   return why.str();
+}
+
+// Those of an earlier run may lie beside other maps.
+void ReplaceLocalized(const std::filesystem::path& folder,
+                      std::vector<std::filesystem::path> written) {
+  for (const std::filesystem::path& file : ListedFiles(folder)) {
+    if (file.filename().string().rfind("localized", 0) != 0) written.push_back(file);
+  }
+  RemoveListedBut(folder, written);
+}
+
+size_t CountMaps(const MapSnapshot& snapshot,
+                 const std::map<FrameId, Localization>& localizations) {
+  std::set<MapId> maps;
+  for (const auto& [id, pose] : localizations) {
+    const SessionSnapshot* session = FindSession(snapshot, pose.session);
+    if (session != nullptr) maps.insert(session->map);
+  }
+  return maps.size();
 }
 
 void DeclareOptionFiles(CLI::App* app, MappingArguments* arguments) {
@@ -137,11 +159,14 @@ void TellStore(const StoreFolder* store, std::ostream& out) {
 int WriteLocalized(const OfflineMapper& mapper, const MapSnapshot& snapshot,
                    const ReasonCounts& left_out, const MappingArguments& arguments,
                    std::ostream& out) {
-  const std::filesystem::path path = std::filesystem::path(arguments.out) / "localized.txt";
-  WriteFile(path, LocalizedText(snapshot, mapper.localizations()), Overwrite::kAllow);
+  const WrittenFiles written = WriteFiles(LocalizedFiles(snapshot, mapper.localizations()),
+                                          arguments.out, Overwrite::kAllow);
+  ReplaceLocalized(arguments.out, written.paths);
   out << mapper.localizations().size() << " of "
-      << CountText(mapper.frontend_counters().images, "image") << " posed in the map\nwrote "
-      << std::filesystem::absolute(path).string() << "\n";
+      << CountText(mapper.frontend_counters().images, "image") << " posed in the map"
+      << (CountMaps(snapshot, mapper.localizations()) > 1 ? "s, of which each has a file" : "")
+      << "\n";
+  PrintWritten(written, out);
   if (!left_out.empty()) out << "left out:\n" << ReasonTable(left_out);
   if (!mapper.localizations().empty()) return 0;
   out << WhyNowhere(mapper.place_counters()) << "\n";

@@ -184,7 +184,9 @@ void PrepareMapFolder(const MappingArguments& arguments, size_t num_images) {
   RequireWritableFolder(arguments.out, kSpareBytes + num_images * of_image);
 }
 
-int FinishRun(RunToFinish finish, const Json& header, std::ostream& out) {
+namespace {
+
+int Finish(RunToFinish finish, const Json& header, std::ostream& out) {
   finish.run.stopped = IsStopRequested();
   finish.run.snapshot = finish.mapper->Drain();
   if (finish.arguments->mapper.localize) {
@@ -204,6 +206,18 @@ int FinishRun(RunToFinish finish, const Json& header, std::ostream& out) {
   maps = WriteResults(finish, finish.run, header, formats, Overwrite::kAllow);
   Tell(finish, finish.run, maps, out);
   return StatusOf(finish, maps, out);
+}
+
+}  // namespace
+
+int FinishRun(RunToFinish finish, const Json& header, std::ostream& out) {
+  const StoreFolder* const store = finish.store;
+  try {
+    return Finish(std::move(finish), header, out);
+  } catch (const std::exception&) {  // a full disk: whether the maps are kept is told all the same
+    TellStore(store, out);
+    throw;
+  }
 }
 
 }  // namespace rovio_sfm

@@ -180,17 +180,22 @@ void OfflineMapper::Map(const FrameEvent& event) {
   mapper_.SaveTo(kept_);
 }
 
-// Whether the store has the frame. By other options a drive may have been given other pictures.
+// Whether the store has the frame, or other pictures of its drive, by other options: they would be
+// mapped twice.
 bool OfflineMapper::IsKept(const FrameEvent& event) {
-  const auto kept = kept_before_.find(event.id.drive);
-  if (kept == kept_before_.end() || event.id.index >= kept->second) return false;
-  const auto there = kept_->frames().ReadEvent(event.id, EventParts::kBare);
-  if (there && there->stamp_ns != event.stamp_ns) {
-    CountReason(
-        "frame: the map holds another picture of its drive under its number; stride and "
-        "mode must be those of the run before",
-        &refused_);
+  const DriveId& drive = event.id.drive;
+  const auto kept = kept_before_.find(drive);
+  if (kept == kept_before_.end()) return false;
+  const bool is_there = event.id.index < kept->second;
+  if (is_there && otherwise_kept_.count(drive) == 0) {
+    const auto there = kept_->frames().ReadEvent(event.id, EventParts::kBare);
+    if (there && there->stamp_ns != event.stamp_ns) otherwise_kept_.insert(drive);
   }
+  if (otherwise_kept_.count(drive) == 0) return is_there;
+  CountReason(
+      "frame: the map holds another picture of its drive under its number; stride and "
+      "mode must be those of the run before",
+      &refused_);
   return true;
 }
 

@@ -21,16 +21,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr char kTrajectory[] = "trajectory";
+
 struct DrivePoses {
   std::string name;
   std::vector<StampedPose> poses;
 };
 
 // By drive.
-std::vector<DrivePoses> PosesByDrive(const LevelMap& map) {
+std::vector<DrivePoses> PosesByDrive(const std::vector<PosedImage>& images) {
   std::map<DriveId, std::vector<StampedPose>> poses;
   std::set<DriveId> drives;
-  for (const PosedImage& image : PosedImages(map)) {
+  for (const PosedImage& image : images) {
     poses[image.id.drive].push_back(image.level_from_camera);
     drives.insert(image.id.drive);
   }
@@ -41,14 +43,46 @@ std::vector<DrivePoses> PosesByDrive(const LevelMap& map) {
   return list;
 }
 
+// Those that were found in the map, by drive, then by index.
+std::vector<PosedImage> LocalizedImages(const MapSnapshot& snapshot, const LevelMap& map,
+                                        const std::map<FrameId, Localization>& localizations) {
+  std::vector<PosedImage> images;
+  for (const auto& [id, pose] : localizations) {
+    const SessionSnapshot* session = FindSession(snapshot, pose.session);
+    if (session == nullptr || !(session->map == map.id)) continue;
+    const Sim3 level_from_session = map.level_from_map * session->map_from_session;
+    images.push_back(
+        {id,
+         FrameKind::kLight,
+         {pose.stamp_ns, Inverse(TransformCamera(level_from_session, pose.cam_from_session))}});
+  }
+  return images;
+}
+
 std::string UnitOf(const LevelMap& map) { return map.scale ? "metres" : "map units"; }
 
-std::vector<NamedFile> TumFiles(const LevelMap& map) {
-  std::vector<NamedFile> files = {{MainPathOf(MapFormat::kTum), MapTrajectoryText(map)}};
-  const std::vector<DrivePoses> drives = PosesByDrive(map);
+// Poses by rising stamp, in STEM.txt; with several drives each has a file of its own beside it.
+std::string JointText(const std::vector<PosedImage>& images, const std::string& stem) {
+  std::map<int64_t, StampedPose> poses;  // the first drive's where several have a stamp
+  for (const PosedImage& image : images) {
+    poses.emplace(image.level_from_camera.stamp_ns, image.level_from_camera);
+  }
+  std::vector<StampedPose> rising;
+  for (const auto& [stamp_ns, pose] : poses) rising.push_back(pose);
+  std::string note;
+  if (const size_t num_left = images.size() - rising.size()) {
+    note = "# not here, but in " + stem + "_<drive>.txt: " + std::to_string(num_left) +
+           " poses of other drives at the stamps of these\n";
+  }
+  return note + TrajectoryText(rising);
+}
+
+std::vector<NamedFile> TumFiles(const std::vector<PosedImage>& images, const std::string& stem) {
+  std::vector<NamedFile> files = {{stem + ".txt", JointText(images, stem)}};
+  const std::vector<DrivePoses> drives = PosesByDrive(images);
   for (const DrivePoses& drive : drives) {
     if (drives.size() == 1) continue;
-    files.push_back({"trajectory_" + drive.name + ".txt", TrajectoryText(drive.poses)});
+    files.push_back({stem + "_" + drive.name + ".txt", TrajectoryText(drive.poses)});
   }
   return files;
 }
@@ -56,7 +90,7 @@ std::vector<NamedFile> TumFiles(const LevelMap& map) {
 // All drives from the first image of the map.
 std::vector<NamedFile> KittiFiles(const LevelMap& map) {
   std::vector<NamedFile> files;
-  const std::vector<DrivePoses> drives = PosesByDrive(map);
+  const std::vector<DrivePoses> drives = PosesByDrive(PosedImages(map));
   for (const DrivePoses& drive : drives) {
     const StampedPose& first = drives.front().poses.front();
     const std::string stem = MainPathOf(MapFormat::kKitti) + "/" + drive.name;
@@ -67,7 +101,7 @@ std::vector<NamedFile> KittiFiles(const LevelMap& map) {
 }
 
 std::vector<NamedFile> FilesOf(const LevelMap& map, MapFormat format) {
-  if (format == MapFormat::kTum) return TumFiles(map);
+  if (format == MapFormat::kTum) return TumFiles(PosedImages(map), kTrajectory);
   if (format == MapFormat::kKitti) return KittiFiles(map);
   if (format == MapFormat::kPly) return {{MainPathOf(format), MapCloudBytes(map)}};
   return {{MainPathOf(format), PlyText(LevelCloud(map), UnitOf(map))}};
@@ -134,6 +168,12 @@ class MapInWork {
   FinishedMap finished_;
 };
 
+}  // namespace
+
+fs::path FolderOfMap(const fs::path& folder, size_t rank) {
+  return rank == 0 ? folder : folder / ("map_" + std::to_string(rank + 1));
+}
+
 WrittenFiles WriteFiles(const std::vector<NamedFile>& files, const fs::path& folder,
                         Overwrite overwrite) {
   WrittenFiles written;
@@ -146,22 +186,8 @@ WrittenFiles WriteFiles(const std::vector<NamedFile>& files, const fs::path& fol
   return written;
 }
 
-}  // namespace
-
 std::string MapTrajectoryText(const LevelMap& map) {
-  std::map<int64_t, StampedPose> poses;  // the first drive's where several have a stamp
-  const std::vector<PosedImage> images = PosedImages(map);
-  for (const PosedImage& image : images) {
-    poses.emplace(image.level_from_camera.stamp_ns, image.level_from_camera);
-  }
-  std::vector<StampedPose> rising;
-  for (const auto& [stamp_ns, pose] : poses) rising.push_back(pose);
-  std::string note;
-  if (const size_t num_left = images.size() - rising.size()) {
-    note = "# not here, but in trajectory_<drive>.txt: " + std::to_string(num_left) +
-           " poses of other drives at the stamps of these\n";
-  }
-  return note + TrajectoryText(rising);
+  return JointText(PosedImages(map), kTrajectory);
 }
 
 std::string MapCloudBytes(const LevelMap& map) { return PlyBytes(LevelCloud(map), UnitOf(map)); }
@@ -191,6 +217,7 @@ WrittenFiles WriteMapFiles(const LevelMap& map, const MapSource& source, const M
             ? WriteModelFiles(work->model(), format, source.pictures, folder, overwrite)
             : WriteFiles(FilesOf(map, format), folder, overwrite);
     all.paths.insert(all.paths.end(), written.paths.begin(), written.paths.end());
+    all.pictures.insert(all.pictures.end(), written.pictures.begin(), written.pictures.end());
     all.num_missing_pictures += written.num_missing_pictures;
   }
   if (work) all.densified = work->densified();
@@ -207,18 +234,19 @@ void PrintWritten(const WrittenFiles& written, std::ostream& out) {
   }
 }
 
-std::string LocalizedText(const MapSnapshot& snapshot,
-                          const std::map<FrameId, Localization>& localizations) {
-  std::vector<StampedPose> poses;
-  for (const auto& [id, pose] : localizations) {
-    const SessionSnapshot* session = FindSession(snapshot, pose.session);
-    const auto map = session == nullptr ? std::nullopt : FindLevelMap(snapshot, session->map);
-    if (!map) continue;
-    const Sim3 level_from_session = map->level_from_map * session->map_from_session;
-    poses.push_back(
-        {pose.stamp_ns, Inverse(TransformCamera(level_from_session, pose.cam_from_session))});
+std::vector<NamedFile> LocalizedFiles(const MapSnapshot& snapshot,
+                                      const std::map<FrameId, Localization>& localizations) {
+  std::vector<NamedFile> files;
+  size_t rank = 0;
+  for (const LevelMap& map : FindMapsBySize(snapshot)) {
+    const fs::path folder = FolderOfMap("", rank++);
+    const std::vector<PosedImage> images = LocalizedImages(snapshot, map, localizations);
+    if (images.empty() && rank > 1) continue;
+    for (NamedFile& file : TumFiles(images, "localized")) {
+      files.push_back({(folder / file.name).string(), std::move(file.content)});
+    }
   }
-  return TrajectoryText(poses);
+  return files;
 }
 
 }  // namespace rovio_sfm

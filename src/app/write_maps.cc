@@ -1,9 +1,11 @@
 #include "rovio_sfm/app/write_maps.h"
 
 #include <algorithm>
-#include <regex>
+#include <iterator>
 #include <set>
+#include <utility>
 
+#include "rovio_sfm/app/map_file_list.h"
 #include "rovio_sfm/app/write_map_files.h"
 #include "rovio_sfm/util/count_text.h"
 
@@ -12,27 +14,11 @@ namespace {
 
 using Path = std::filesystem::path;
 
-Path FolderOf(const Path& folder, size_t rank) {
-  return rank == 0 ? folder : folder / ("map_" + std::to_string(rank + 1));
-}
-
-void AddMapFiles(const Path& folder, std::vector<Path>* files) {
-  static const std::regex kName("trajectory(_[^/]+)?\\.txt|cloud\\.ply|map\\.png");
-  if (!std::filesystem::is_directory(folder)) return;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (std::regex_match(entry.path().filename().string(), kName)) files->push_back(entry.path());
-  }
-}
-
-void RemoveOlder(const Path& folder, const std::vector<WrittenMap>& maps) {
-  std::set<Path> fresh;
-  for (const WrittenMap& map : maps) fresh.insert(map.files.begin(), map.files.end());
-  for (const Path& file : FindMapFiles(folder)) {
-    if (fresh.count(std::filesystem::absolute(file)) > 0) continue;
-    std::filesystem::remove(file);
-    const Path parent = file.parent_path();
-    if (parent != folder && std::filesystem::is_empty(parent)) std::filesystem::remove(parent);
-  }
+// Without folders of pictures: their pictures.
+void AppendFiles(const WrittenFiles& written, std::vector<Path>* files) {
+  std::copy_if(written.paths.begin(), written.paths.end(), std::back_inserter(*files),
+               [](const Path& path) { return !std::filesystem::is_directory(path); });
+  files->insert(files->end(), written.pictures.begin(), written.pictures.end());
 }
 
 }  // namespace
@@ -41,16 +27,22 @@ std::vector<WrittenMap> WriteAllMaps(const MapSnapshot& snapshot, const MapSourc
                                      const MapFormats& formats, const Path& folder,
                                      Overwrite overwrite) {
   std::vector<WrittenMap> written;
+  std::vector<Path> fresh;
   for (const LevelMap& map : FindMapsBySize(snapshot)) {
-    const Path place = FolderOf(folder, written.size());
+    const Path place = FolderOfMap(folder, written.size());
     std::filesystem::create_directories(place);
     const WrittenFiles files = WriteMapFiles(map, source, formats, place, overwrite);
     if (place != folder && std::filesystem::is_empty(place)) std::filesystem::remove(place);
+    AppendFiles(files, &fresh);
     written.push_back({map.id, PosedImages(map).size(), map.scale.has_value(),
                        std::filesystem::absolute(place), files.paths, files.left_out,
                        files.densified});
   }
-  if (overwrite == Overwrite::kAllow) RemoveOlder(folder, written);
+  if (overwrite == Overwrite::kAllow) {
+    RemoveListedBut(folder, fresh);
+  } else {
+    AddListedFiles(folder, fresh);
+  }
   return written;
 }
 
@@ -60,16 +52,13 @@ std::string Describe(const WrittenMap& map) {
 }
 
 std::vector<Path> FindMapFiles(const Path& folder) {
-  static const std::regex kMapFolder("map_[0-9]+");
-  std::vector<Path> files;
-  if (!std::filesystem::is_directory(folder)) return files;
-  AddMapFiles(folder, &files);
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (!std::regex_match(entry.path().filename().string(), kMapFolder)) continue;
-    if (!entry.is_symlink()) AddMapFiles(entry.path(), &files);
+  std::set<Path> files;
+  for (Path& file : ListedFiles(folder)) files.insert(std::move(file));
+  for (const MapFormat format : kDefaultFormats) {
+    const Path file = std::filesystem::absolute(folder / MainPathOf(format));
+    if (std::filesystem::exists(file)) files.insert(file);
   }
-  std::sort(files.begin(), files.end());
-  return files;
+  return {files.begin(), files.end()};
 }
 
 }  // namespace rovio_sfm

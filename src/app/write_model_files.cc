@@ -28,7 +28,6 @@ class ModelWriter {
   }
 
   void WritePictures(const MapModel& model, const PictureSource& pictures, bool undistorted) {
-    size_t num_written = 0;
     for (const ModelImage& image : model.images) {
       const auto picture = pictures ? pictures(image) : nullptr;
       if (picture == nullptr) {
@@ -39,9 +38,9 @@ class ModelWriter {
           undistorted ? Undistorted(*picture, image, model) : *picture;
       const std::string name = undistorted ? UndistortedName(image.name) : image.name;
       WriteOne(kPictures + ("/" + name), {bytes.begin(), bytes.end()});
-      ++num_written;
+      written_.pictures.push_back(folder_ / kPictures / name);
     }
-    if (num_written > 0) written_.paths.push_back(folder_ / kPictures);
+    if (!written_.pictures.empty()) written_.paths.push_back(folder_ / kPictures);
   }
 
   WrittenFiles Take() { return std::move(written_); }

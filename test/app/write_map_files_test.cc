@@ -37,6 +37,41 @@ TEST(WriteMapFiles, WritesEachOfSeveralDrivesByItself) {
   EXPECT_EQ(ReadTrajectory(folder.Path() / "trajectory_robot2.txt").size(), 3u);
 }
 
+// Poses of different frames and units, at stamps that several drives have, are never in one file.
+TEST(LocalizedFiles, AreOneForEachMapAndDrive) {
+  MapSnapshot snapshot;
+  snapshot.sessions = {SmallSession(1, 5, {}), SmallSession(2, 4, {}), SmallSession(3, 3, {})};
+  std::map<FrameId, Localization> localizations;
+  const auto add = [&](const std::string& robot, uint32_t index, uint32_t session) {
+    const FrameId id{{robot, 1, 9}, index};
+    localizations[id].stamp_ns = 1'000'000'000 * static_cast<int64_t>(index);
+    localizations[id].session = {session};
+  };
+  for (uint32_t i = 1; i <= 3; ++i) add("a", i, 1);
+  for (uint32_t i = 3; i <= 4; ++i) add("b", i, 1);
+  add("b", 5, 3);
+  const TemporaryFolder folder;
+  const auto files = LocalizedFiles(snapshot, localizations);
+  const auto paths = WriteFiles(files, folder.Path(), Overwrite::kRefuse).paths;
+  const std::vector<std::pair<std::string, size_t>> expected = {{"localized.txt", 4},
+                                                                {"localized_a.txt", 3},
+                                                                {"localized_b.txt", 2},
+                                                                {"map_3/localized.txt", 1}};
+  ASSERT_EQ(paths.size(), expected.size());
+  for (size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(files[i].name, expected[i].first);
+    EXPECT_EQ(ReadTrajectory(paths[i]).size(), expected[i].second) << files[i].name;
+  }
+}
+
+TEST(LocalizedFiles, OfNothingFoundAreOneWithoutPoses) {
+  MapSnapshot snapshot;
+  snapshot.sessions = {SmallSession(1, 5, {})};
+  const auto files = LocalizedFiles(snapshot, {});
+  ASSERT_EQ(files.size(), 1u);
+  EXPECT_EQ(files[0].name, "localized.txt");
+}
+
 TEST(MapTrajectoryText, HoldsEachStampOnce) {
   const TemporaryFolder folder;
   folder.Write("all.txt", MapTrajectoryText(SmallMap(2)));  // both have the same three stamps

@@ -34,15 +34,37 @@ TEST(WriteAllMaps, WritesTheLargestIntoTheFolderAndTheOthersBelow) {
 TEST(WriteAllMaps, RemovesWhatAnEarlierRunLeftAndNothingElse) {
   const TemporaryFolder folder;
   WriteAllMaps(TwoMaps(), folder.Path(), Overwrite::kRefuse);
-  folder.Write("notes.txt", "mine");
+  const std::vector<std::string> mine = {"notes.txt", "trajectory_true.txt", "map.png",
+                                         "map_9/trajectory_of_colmap.txt", "map_2/cloud_mine.ply"};
+  std::filesystem::create_directories(folder.Path() / "map_9");
+  for (const std::string& name : mine) folder.Write(name, "mine");
   MapSnapshot one = TwoMaps();
   one.sessions.resize(1);
   EXPECT_THROW(WriteAllMaps(one, folder.Path(), Overwrite::kRefuse), std::runtime_error);
   EXPECT_EQ(FindMapFiles(folder.Path()).size(), 6u);
   WriteAllMaps(one, folder.Path(), Overwrite::kAllow);
   EXPECT_EQ(FindMapFiles(folder.Path()).size(), 2u);
-  EXPECT_FALSE(std::filesystem::exists(folder.Path() / "map_2"));
-  EXPECT_TRUE(std::filesystem::exists(folder.Path() / "notes.txt"));
+  EXPECT_FALSE(std::filesystem::exists(folder.Path() / "map_2/cloud.ply"));
+  for (const std::string& name : mine) {
+    EXPECT_TRUE(std::filesystem::exists(folder.Path() / name)) << name;
+  }
+}
+
+TEST(WriteAllMaps, RemovesProductsOfAnotherMapInEveryFormat) {
+  const TemporaryFolder folder;
+  MapSource source;
+  source.model_of = [](const LevelMap&) { return MapModel(); };
+  const MapFormats formats = {MapFormat::kTum, MapFormat::kKitti, MapFormat::kNvm};
+  WriteAllMaps(TwoMaps(), source, formats, folder.Path(), Overwrite::kRefuse);
+  EXPECT_TRUE(std::filesystem::exists(folder.Path() / "kitti/robot3_poses.txt"));
+  EXPECT_TRUE(std::filesystem::exists(folder.Path() / "map_2/nvm/model.nvm"));
+  MapSnapshot one = TwoMaps();
+  one.sessions.resize(1);
+  WriteAllMaps(one, folder.Path(), Overwrite::kAllow);
+  for (const char* gone : {"kitti", "nvm", "map_2", "trajectory_robot3.txt"}) {
+    EXPECT_FALSE(std::filesystem::exists(folder.Path() / gone)) << gone;
+  }
+  EXPECT_EQ(FindMapFiles(folder.Path()).size(), 2u);
 }
 
 TEST(WriteAllMaps, TellsOfAMapThatNoFormatCouldHold) {

@@ -27,6 +27,29 @@ TEST(StopSignals, AsksAtTheFirstAndOnceForRepeatedOnes) {
   EXPECT_EXIT(ends_by_itself(), testing::ExitedWithCode(7), "");
 }
 
+TEST(StopSignals, AClosedTerminalAsksButNotUnderNohup) {
+  const auto ends_by_itself = [] {
+    std::signal(SIGHUP, SIG_IGN);
+    CatchStopSignals();
+    ::raise(SIGHUP);
+    if (IsStopRequested()) ::_exit(1);
+    std::signal(SIGHUP, SIG_DFL);
+    CatchStopSignals();
+    ::raise(SIGHUP);
+    ::_exit(IsStopRequested() && StatusOfStop() == 128 + SIGHUP ? 7 : 1);
+  };
+  EXPECT_EXIT(ends_by_itself(), testing::ExitedWithCode(7), "");
+}
+
+TEST(StopSignals, AFileThatMayNotGrowEndsNothing) {
+  const auto ends_by_itself = [] {
+    CatchStopSignals();
+    ::raise(SIGXFSZ);
+    ::_exit(IsStopRequested() ? 1 : 7);
+  };
+  EXPECT_EXIT(ends_by_itself(), testing::ExitedWithCode(7), "");
+}
+
 TEST(StopSignals, EndsAtOnceAtTheSecond) {
   const auto is_ended = [] {
     CatchStopSignals();

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -138,6 +139,7 @@ class OfflineMapper {
   size_t num_starts_ = 0;
   std::map<DriveId, DriveId> names_;  // of the frontend's drives since the last start
   std::map<DriveId, size_t> start_of_drive_;
+  std::set<DriveId> otherwise_kept_;         // drives whose pictures there are others
   std::map<DriveId, uint32_t> kept_before_;  // the index after the last frame that the store held
   std::map<DriveId, SessionId> newest_sessions_;
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rovio_sfm/app/write_model_files.h"
+#include "rovio_sfm/io/named_file.h"
 #include "rovio_sfm/merging/localizer.h"
 #include "rovio_sfm/report/level_map.h"
 #include "rovio_sfm/report/page_data.h"
@@ -21,6 +22,13 @@ std::string MapTrajectoryText(const LevelMap& map);
 
 // A PLY of the landmarks that count.
 std::string MapCloudBytes(const LevelMap& map);
+
+// Where the map of this rank by size is written: the folder itself, map_2, map_3 and so on in it.
+std::filesystem::path FolderOfMap(const std::filesystem::path& folder, size_t rank);
+
+// Throws std::runtime_error where a file cannot be written.
+WrittenFiles WriteFiles(const std::vector<NamedFile>& files, const std::filesystem::path& folder,
+                        Overwrite overwrite);
 
 // What formats that need more than the map itself ask for; may be empty where none does.
 struct MapSource {
@@ -50,8 +58,9 @@ inline std::vector<std::filesystem::path> WriteMapFiles(const LevelMap& map,
 // "wrote PATH" a line, and how many pictures were not at hand.
 void PrintWritten(const WrittenFiles& written, std::ostream& out);
 
-// The poses of localized images in the level frames of their maps, by stamp, as a TUM trajectory.
-std::string LocalizedText(const MapSnapshot& snapshot,
-                          const std::map<FrameId, Localization>& localizations);
+// The poses of localized images in the level frames of their maps, as TUM trajectories by stamp:
+// localized.txt and, for each of several drives, localized_DRIVE.txt, beside the map's own files.
+std::vector<NamedFile> LocalizedFiles(const MapSnapshot& snapshot,
+                                      const std::map<FrameId, Localization>& localizations);
 
 }  // namespace rovio_sfm

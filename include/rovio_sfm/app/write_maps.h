@@ -24,8 +24,9 @@ struct WrittenMap {
 };
 
 // Writes every map with a registered image: the largest into the folder itself, the others by size
-// into map_2, map_3 and so on in it. The folder is made. With kAllow, what an earlier run left of
-// its maps is removed afterwards. Throws std::runtime_error where a file cannot be written.
+// into map_2, map_3 and so on in it. The folder is made. With kAllow, what earlier runs wrote there
+// and this one does not is removed afterwards (map_file_list.h), and nothing else. Throws
+// std::runtime_error where a file cannot be written.
 std::vector<WrittenMap> WriteAllMaps(const MapSnapshot& snapshot, const MapSource& source,
                                      const MapFormats& formats, const std::filesystem::path& folder,
                                      Overwrite overwrite);
@@ -40,7 +41,7 @@ inline std::vector<WrittenMap> WriteAllMaps(const MapSnapshot& snapshot,
 // For people: "map 3: 120 images, in metres, in /folder".
 std::string Describe(const WrittenMap& map);
 
-// Files that WriteAllMaps has written into a folder at some time, and pictures of them, sorted.
+// What results a folder holds, sorted: what runs have listed, and files of the default formats.
 std::vector<std::filesystem::path> FindMapFiles(const std::filesystem::path& folder);
 
 }  // namespace rovio_sfm

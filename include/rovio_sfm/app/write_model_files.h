@@ -23,7 +23,8 @@ struct WrittenFiles {
   std::vector<std::filesystem::path> paths;  // absolute; of a folder of pictures the folder
   size_t num_missing_pictures = 0;           // of those that a format wants, all formats together
   std::vector<std::string> left_out;         // sentences: formats that the map cannot be written in
-  std::optional<DensifyCounts> densified = {};  // where that was asked for
+  std::optional<DensifyCounts> densified = {};       // where that was asked for
+  std::vector<std::filesystem::path> pictures = {};  // in folders of them, absolute
 };
 
 // Writes a model below a folder in one of the formats that need one: colmap/ and colmap_text/ are
