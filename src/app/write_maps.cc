@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <regex>
 #include <set>
 #include <utility>
 
@@ -19,6 +20,13 @@ void AppendFiles(const WrittenFiles& written, std::vector<Path>* files) {
   std::copy_if(written.paths.begin(), written.paths.end(), std::back_inserter(*files),
                [](const Path& path) { return !std::filesystem::is_directory(path); });
   files->insert(files->end(), written.pictures.begin(), written.pictures.end());
+}
+
+void AddDefaultFiles(const Path& folder, std::set<Path>* files) {
+  for (const MapFormat format : kDefaultFormats) {
+    const Path file = std::filesystem::absolute(folder / MainPathOf(format));
+    if (std::filesystem::exists(file)) files->insert(file);
+  }
 }
 
 }  // namespace
@@ -52,11 +60,15 @@ std::string Describe(const WrittenMap& map) {
 }
 
 std::vector<Path> FindMapFiles(const Path& folder) {
+  static const std::regex kMapFolder("map_[0-9]+");
   std::set<Path> files;
   for (Path& file : ListedFiles(folder)) files.insert(std::move(file));
-  for (const MapFormat format : kDefaultFormats) {
-    const Path file = std::filesystem::absolute(folder / MainPathOf(format));
-    if (std::filesystem::exists(file)) files.insert(file);
+  AddDefaultFiles(folder, &files);
+  if (!std::filesystem::is_directory(folder)) return {};
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (std::regex_match(entry.path().filename().string(), kMapFolder)) {
+      AddDefaultFiles(entry.path(), &files);
+    }
   }
   return {files.begin(), files.end()};
 }

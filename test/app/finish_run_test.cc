@@ -21,9 +21,9 @@ TEST(RefuseOlderResults, NamesWhatIsThere) {
   MappingArguments arguments = ArgumentsFor(folder);
   RefuseOlderResults(arguments);
   std::filesystem::create_directory(folder.Path() / "map_3");
-  folder.Write("map_3/trajectory_rovio1.txt", "");
+  folder.Write("map_3/trajectory.txt", "");
   const std::string error = MessageOf([&] { RefuseOlderResults(arguments); });
-  EXPECT_NE(error.find("map_3/trajectory_rovio1.txt exists"), std::string::npos) << error;
+  EXPECT_NE(error.find("map_3/trajectory.txt exists"), std::string::npos) << error;
   arguments.overwrite = true;
   RefuseOlderResults(arguments);
 }

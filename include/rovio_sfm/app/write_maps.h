@@ -41,7 +41,8 @@ inline std::vector<WrittenMap> WriteAllMaps(const MapSnapshot& snapshot,
 // For people: "map 3: 120 images, in metres, in /folder".
 std::string Describe(const WrittenMap& map);
 
-// What results a folder holds, sorted: what runs have listed, and files of the default formats.
+// What results a folder holds, sorted: what runs have listed, and what is where the default formats
+// would write.
 std::vector<std::filesystem::path> FindMapFiles(const std::filesystem::path& folder);
 
 }  // namespace rovio_sfm

@@ -4,9 +4,9 @@
 
 namespace rovio_sfm {
 
-// From now on the first SIGINT, SIGTERM or, but under nohup, SIGHUP asks the program to end, and the
-// second ends it at once with the exit status 128 + signal; a limit of file sizes is no signal but
-// an error of writing. What comes within half a second of the first is the same wish:
+// From now on the first SIGINT, SIGTERM or, but under nohup, SIGHUP asks the program to end, and
+// the second ends it at once with the exit status 128 + signal; a limit of file sizes is no signal
+// but an error of writing. What comes within half a second of the first is the same wish:
 // timeout(1) and terminals send a signal more than once. A third one spares nothing.
 void CatchStopSignals();
 
