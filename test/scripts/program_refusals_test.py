@@ -111,13 +111,15 @@ def run(program, arguments, port):
 class ProgramRefusalsTest(unittest.TestCase):
     def test_tools_name_a_bad_option_and_a_bad_file(self):
         for program, arguments in TOOLS.items():
-            with self.subTest(program), tempfile.TemporaryDirectory() as out:
+            with self.subTest(program), tempfile.TemporaryDirectory() as folder:
+                out = os.path.join(folder, "new")
                 words = [word.format(out=out) for word in arguments]
                 for wrong, named in ((["--robotz"], ""), ([*words, "--robotz"], "--robotz"), (words, NOWHERE)):
                     status, told, said = run(program, wrong, 1)
                     self.assertEqual((status, told), (1, ""))
                     self.assertTrue(said.startswith(f"{program}: "), said)
                     self.assertIn(named, said)
+                    self.assertEqual(os.listdir(folder), [])  # what is refused leaves nothing behind
 
     def test_tools_help_on_standard_output(self):
         for program in TOOLS:
