@@ -17,7 +17,7 @@ import matplotlib.pyplot as plt  # noqa: E402  (after the choice of backend)
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from read_plainly import end_plainly, reads  # noqa: E402  (after the path is set)
+from read_plainly import end_plainly, reads, take_words  # noqa: E402  (after the path is set)
 
 LABELS = {
     "QueryPlaces": "whole query",
@@ -53,9 +53,10 @@ def plot(curves, path):
 
 
 def main():
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    plot(read_curves(sys.argv[1]), sys.argv[2])
+    words = take_words(__doc__, most=2)
+    if len(words) < 2:
+        sys.exit("plot_places_scale.py: expected FIGURES.json and OUT.png; --help tells more")
+    plot(read_curves(words[0]), words[1])
     return 0
 
 

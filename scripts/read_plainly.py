@@ -1,4 +1,5 @@
-"""Files that users name: what is missing or wrong ends a script with one sentence, not with a traceback."""
+"""What users name: a file that is missing or wrong, or a word that means nothing, ends a script with one sentence,
+not with a traceback."""
 
 import csv
 import functools
@@ -37,3 +38,16 @@ def end_plainly(main):
         reason = f"{error.filename}: {error.strerror}" if error.filename else str(error)
     print(f"{pathlib.Path(sys.argv[0]).name}: {reason}", file=sys.stderr)
     return 1
+
+
+def take_words(doc, most=0):
+    """The words of the command line of a script that has no options; --help prints doc, the script's own."""
+    words = [word for word in sys.argv[1:] if ":=" not in word]  # those are of ROS
+    if "-h" in words or "--help" in words:
+        print(doc)
+        sys.exit(0)
+    options = [word for word in words if word.startswith("-")]
+    for word in options + words[most:]:
+        expected = f"at most {most} and no option" if most else "no argument"
+        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: '{word}': expected {expected}; --help tells more")
+    return words

@@ -4,6 +4,8 @@ import hashlib
 import pathlib
 from typing import NamedTuple
 
+from read_plainly import reads
+
 
 class ImageSet(NamedTuple):
     name: str
@@ -13,6 +15,7 @@ class ImageSet(NamedTuple):
     fingerprint: str  # of names and bytes of the images, and of the calibration
 
 
+@reads("a data set: lines STAMP IMAGE in times.txt, numbers in calibration.txt")
 def read_set(source, stride, work):
     """Links every stride-th image of the data set into a folder below work."""
     source = pathlib.Path(source).resolve()

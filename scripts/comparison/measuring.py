@@ -7,6 +7,8 @@ import tempfile
 import time
 from typing import NamedTuple, Optional
 
+from read_plainly import Unreadable
+
 
 class Cost(NamedTuple):
     wall_s: float
@@ -47,7 +49,7 @@ def measure(*command, env=None, check=True):
         said.seek(0)
         text = said.read()
     if check and process.returncode != 0:
-        raise RuntimeError(f"{command[0]} ended with {process.returncode}: " + " | ".join(text.splitlines()[-5:]))
+        raise Unreadable(f"{command[0]} ended with {process.returncode}: " + " | ".join(text.splitlines()[-5:]))
     return cost, text
 
 

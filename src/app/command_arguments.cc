@@ -117,7 +117,8 @@ void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
   app->add_flag("--keep-images", arguments->mapper.frontend.keep_images,
                 "map.db keeps the pictures, for depth and exports");
   app->add_flag("!--no-store", arguments->store, "keep no map.db: nothing to resume from")
-      ->excludes(resume);
+      ->excludes(resume)
+      ->excludes("--localize");
 }
 
 void CompleteMappingArguments(MappingArguments* arguments) {

@@ -163,6 +163,14 @@ int StatusOf(const RunToFinish& finish, const std::vector<WrittenMap>& maps, std
   return kNothingRegistered;
 }
 
+// A folder without maps stays as it is, and is not made.
+void RequireStore(const Path& folder) {
+  const Path file = StoreFolder::FileIn(folder);
+  if (std::filesystem::exists(file)) return;
+  throw std::runtime_error(file.string() +
+                           ": no such file; --localize expected the maps of an earlier run");
+}
+
 }  // namespace
 
 void RefuseOlderResults(const MappingArguments& arguments) {
@@ -180,6 +188,7 @@ void RefuseOlderResults(const MappingArguments& arguments) {
 }
 
 void PrepareMapFolder(const MappingArguments& arguments, size_t num_images) {
+  if (arguments.mapper.localize) RequireStore(arguments.out);
   const uintmax_t of_image = kBytesOfMap + (arguments.store ? kBytesOfStore : 0);
   RequireWritableFolder(arguments.out, kSpareBytes + num_images * of_image);
 }

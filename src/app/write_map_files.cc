@@ -211,14 +211,14 @@ WrittenFiles WriteMapFiles(const LevelMap& map, const MapSource& source, const M
     }
     const FormatSource made_from = SourceOf(format);
     if (made_from != FormatSource::kMap && !work) work.emplace(map, source, formats);
-    const WrittenFiles written =
+    WrittenFiles written =
         made_from == FormatSource::kFinished ? WriteFiles(work->FilesOf(format), folder, overwrite)
         : made_from == FormatSource::kModel
             ? WriteModelFiles(work->model(), format, source.pictures, folder, overwrite)
             : WriteFiles(FilesOf(map, format), folder, overwrite);
     all.paths.insert(all.paths.end(), written.paths.begin(), written.paths.end());
     all.pictures.insert(all.pictures.end(), written.pictures.begin(), written.pictures.end());
-    all.num_missing_pictures += written.num_missing_pictures;
+    all.missing_pictures.merge(written.missing_pictures);
   }
   if (work) all.densified = work->densified();
   return all;
@@ -228,8 +228,8 @@ void PrintWritten(const WrittenFiles& written, std::ostream& out) {
   for (const std::string& sentence : written.left_out) out << sentence << "\n";
   if (written.densified) out << Describe(*written.densified) << "\n";
   for (const fs::path& path : written.paths) out << "wrote " << path.string() << "\n";
-  if (written.num_missing_pictures > 0) {
-    out << CountWere(written.num_missing_pictures, "picture")
+  if (!written.missing_pictures.empty()) {
+    out << CountWere(written.missing_pictures.size(), "picture")
         << " not at hand and not written with the rest\n";
   }
 }

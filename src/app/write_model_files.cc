@@ -31,7 +31,7 @@ class ModelWriter {
     for (const ModelImage& image : model.images) {
       const auto picture = pictures ? pictures(image) : nullptr;
       if (picture == nullptr) {
-        ++written_.num_missing_pictures;
+        written_.missing_pictures.insert(image.id);
         continue;
       }
       const std::vector<uint8_t> bytes =

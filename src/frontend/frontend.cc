@@ -71,7 +71,7 @@ std::optional<FrameEvent> Frontend::Add(const PreparedImage& image) {
     case ImageChoice::kSpoilt:
       break;
   }
-  return Drop(&counters_.spoilt, "image is black or far more blurred than its drive");
+  return Drop(&counters_.spoilt, "image is of one colour or far more blurred than its drive");
 }
 
 std::optional<FrameEvent> Frontend::Drop(uint64_t* counter, const std::string& reason) {

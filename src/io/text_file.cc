@@ -16,6 +16,7 @@ namespace {
 
 constexpr uintmax_t kMaxTextBytes = 256u << 20;
 constexpr size_t kMaxLineBytes = 4096;
+constexpr size_t kPieceBytes = 64u << 10;
 // Until 2106, as ROS counts: the difference of any two stamps fits into 64 bits of nanoseconds.
 constexpr int64_t kMaxSeconds = 4'294'967'295;
 
@@ -78,6 +79,22 @@ std::vector<std::string> Split(const std::string& line) {
   std::vector<std::string> fields;
   for (std::string field; stream >> field;) fields.push_back(field);
   return fields;
+}
+
+// Nothing where only reading tells it: of a pipe, of a terminal. Throws where there is no file.
+std::optional<uintmax_t> SizeOf(const std::filesystem::path& path) {
+  std::error_code error;
+  const uintmax_t size = std::filesystem::file_size(path, error);
+  if (!error) return size;
+  if (error == std::errc::not_supported || error == std::errc::operation_not_supported) {
+    return std::nullopt;
+  }
+  throw std::runtime_error(path.string() + ": " + error.message());
+}
+
+[[noreturn]] void FailTooLarge(const std::filesystem::path& path, const std::string& found,
+                               uintmax_t max_bytes) {
+  throw std::runtime_error(path.string() + ": " + found + std::to_string(max_bytes));
 }
 
 }  // namespace
@@ -150,18 +167,18 @@ std::vector<TextLine> ReadTextFile(const std::filesystem::path& path) {
 }
 
 std::vector<uint8_t> ReadBytes(const std::filesystem::path& path, uintmax_t max_bytes) {
-  std::error_code error;
-  const uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) throw std::runtime_error(path.string() + ": " + error.message());
-  if (size > max_bytes) {
-    throw std::runtime_error(path.string() + ": " + std::to_string(size) + " bytes, more than " +
-                             std::to_string(max_bytes));
-  }
+  const std::optional<uintmax_t> size = SizeOf(path);
+  if (size > max_bytes) FailTooLarge(path, std::to_string(*size) + " bytes, more than ", max_bytes);
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw std::runtime_error(path.string() + ": " + std::strerror(errno));
-  std::vector<uint8_t> bytes(size);
-  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (!stream) throw std::runtime_error(path.string() + ": cannot be read");
+  std::vector<uint8_t> bytes;
+  bytes.reserve(size.value_or(0));
+  for (std::vector<char> piece(kPieceBytes); stream && bytes.size() <= max_bytes;) {
+    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    bytes.insert(bytes.end(), piece.begin(), piece.begin() + stream.gcount());
+  }
+  if (stream.bad()) throw std::runtime_error(path.string() + ": cannot be read");
+  if (bytes.size() > max_bytes) FailTooLarge(path, "more bytes than ", max_bytes);
   return bytes;
 }
 

@@ -29,8 +29,8 @@ void Write(const LevelMap& map, const MapSource& source, const MapFormats& forma
   for (const std::filesystem::path& path : written.paths) response->files.push_back(path.string());
   std::string message = "map " + std::to_string(map.id.value) + " written to " +
                         std::filesystem::absolute(folder).string();
-  if (written.num_missing_pictures > 0) {
-    message += "; " + CountWere(written.num_missing_pictures, "picture") + " not at hand";
+  if (!written.missing_pictures.empty()) {
+    message += "; " + CountWere(written.missing_pictures.size(), "picture") + " not at hand";
   }
   for (const std::string& sentence : written.left_out) message += "; " + sentence;
   response->status = Ok(message);

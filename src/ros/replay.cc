@@ -138,9 +138,11 @@ int MapBags(const std::vector<BagDrive>& drives, size_t num_images, const Argume
   RunToFinish finish;
   finish.start_ns = SteadyNs();
   StageTimes times(SteadyNs);
+  const std::shared_ptr<const PlaceModel> places = ReadPlaceModel(arguments.places);
+  PrepareMapFolder(arguments, num_images);
+  out << "results go to " << std::filesystem::absolute(arguments.out).string() << "\n";
   const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
-  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), &times,
-                       store ? &store->store() : nullptr);
+  OfflineMapper mapper(arguments.mapper, places, &times, store ? &store->store() : nullptr);
   finish.run.num_images = num_images;
   MapDrives(drives, arguments, &mapper, &finish.run, out, progress);
   BagPictures pictures(drives, arguments.sensors, arguments.camera);
@@ -172,8 +174,6 @@ int ReplayCommand(int argc, const char* const* argv, std::ostream& out, std::ost
   RefuseOlderResults(arguments);
   size_t num_images = 0;
   const std::vector<BagDrive> drives = CheckDrives(arguments, &num_images);
-  PrepareMapFolder(arguments, num_images);
-  out << "results go to " << std::filesystem::absolute(arguments.out).string() << "\n";
   return MapBags(drives, num_images, arguments, out, progress);
 }
 

@@ -1,6 +1,7 @@
 #include "rovio_sfm/tools/evaluate_places.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
@@ -76,7 +77,6 @@ void CheckArguments(Arguments* arguments) {
   if (std::filesystem::exists(summary) && !arguments->overwrite) {
     throw std::runtime_error(summary.string() + " exists; give --overwrite to replace it");
   }
-  std::filesystem::create_directories(arguments->out);
 }
 
 // Folders as they were read, and all their images one after the other.
@@ -107,15 +107,35 @@ void HideUnknown(const std::vector<PlaceImage>& queries, size_t self_gap, PlaceT
   }
 }
 
+TruthSource SourceOf(const Arguments& arguments) {
+  return arguments.truth == "poses" ? TruthSource::kPoses : TruthSource::kOverlaps;
+}
+
 PlaceTruth TruthOf(const Arguments& arguments, const Side& queries, const Side& database,
                    size_t num_distractors) {
   if (!arguments.matrix.empty()) {
     return ReadPlaceTruth(arguments.matrix, queries.images.size(), database.images.size(),
                           num_distractors);
   }
-  const TruthSource source =
-      arguments.truth == "poses" ? TruthSource::kPoses : TruthSource::kOverlaps;
-  return FindPlaceTruth(queries.folders, database.folders, num_distractors, source);
+  return FindPlaceTruth(queries.folders, database.folders, num_distractors, SourceOf(arguments));
+}
+
+bool HasPositive(const PlaceTruth& truth) {
+  return std::any_of(truth.begin(), truth.end(), [](const std::vector<PlaceLabel>& row) {
+    return std::count(row.begin(), row.end(), PlaceLabel::kPositive) > 0;
+  });
+}
+
+// Without a query that could be answered rightly every figure would mean nothing.
+void RequirePositive(const Arguments& arguments, const Side& queries, const Side& database,
+                     const PlaceTruth& truth) {
+  if (HasPositive(truth)) return;
+  const std::string why = arguments.matrix.empty()
+                              ? WhyNoPositive(queries.folders, database.folders,
+                                              arguments.trial.self_gap, SourceOf(arguments))
+                              : arguments.matrix + " has no 1 that counts";
+  throw std::runtime_error("no query has a place that is right, so nothing can be measured: " +
+                           why);
 }
 
 struct Method {
@@ -230,6 +250,8 @@ void Evaluate(const Arguments& arguments, std::ostream& out) {
   if (self_gap > 0) database = queries;
   PlaceTruth truth = TruthOf(arguments, queries, database, distractors.images.size());
   if (self_gap > 0) HideUnknown(queries.images, self_gap, &truth);
+  RequirePositive(arguments, queries, database, truth);
+  std::filesystem::create_directories(arguments.out);
   database.images.insert(database.images.end(), distractors.images.begin(),
                          distractors.images.end());
   const PlaceTrial trial =

@@ -137,9 +137,10 @@ int MapAll(const std::vector<DatasetFolder>& datasets, const Arguments& argument
   RunToFinish finish;
   finish.start_ns = SteadyNs();
   StageTimes times(SteadyNs);
+  const std::shared_ptr<const PlaceModel> places = ReadPlaceModel(arguments.places);
+  PrepareMapFolder(arguments, CountImages(datasets));
   const std::unique_ptr<StoreFolder> store = OpenResultStore(arguments);
-  OfflineMapper mapper(arguments.mapper, ReadPlaceModel(arguments.places), &times,
-                       store ? &store->store() : nullptr);
+  OfflineMapper mapper(arguments.mapper, places, &times, store ? &store->store() : nullptr);
   finish.run = MapFolders(datasets, arguments, &mapper);
   finish.pictures = [&](const ModelImage& image) { return FindPicture(datasets, mapper, image); };
   finish.arguments = &arguments;
@@ -162,7 +163,6 @@ int MapImagesCommand(int argc, const char* const* argv, std::ostream& out) {
   CompleteMappingArguments(&arguments);
   RefuseOlderResults(arguments);
   const std::vector<DatasetFolder> datasets = ReadFolders(arguments);
-  PrepareMapFolder(arguments, CountImages(datasets));
   return MapAll(datasets, arguments, out);
 }
 

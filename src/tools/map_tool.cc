@@ -62,14 +62,14 @@ int Export(const Arguments& arguments, std::ostream& out) {
     const std::string wanted = arguments.map ? "map = " + std::to_string(*arguments.map) : "map";
     throw std::runtime_error(arguments.file + ": " + wanted + ": expected one with posed frames");
   }
-  std::filesystem::create_directories(arguments.out);
+  const MapFormats formats = ReadFormats(arguments.formats);
   const Overwrite overwrite = arguments.overwrite ? Overwrite::kAllow : Overwrite::kRefuse;
   const MapSource source{
       [&](const LevelMap& level_map) { return mapper.ModelOf(level_map); },
       [&](const ModelImage& image) { return store.frames().ReadImage(image.id); },
       PageNotes{mapper.MergeReports()},
       [&](const ModelImage& image) { return store.Get(image.id); }};
-  const MapFormats formats = ReadFormats(arguments.formats);
+  std::filesystem::create_directories(arguments.out);
   const WrittenFiles written = WriteMapFiles(*map, source, formats, arguments.out, overwrite);
   PrintWritten(written, out);
   return written.paths.empty() ? 1 : 0;

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -84,6 +85,19 @@ PlaceLabel LabelOfNumber(const TextLine& line, size_t field) {
   line.Fail("field label: expected 1, 0 or -1, got '" + line.fields[field] + "'");
 }
 
+// Of the folders, each once, the files that would tell the truth and are not there, or say nothing.
+std::set<std::string> MissingTruth(const std::vector<PlaceImages>& folders, TruthSource source) {
+  std::set<std::string> missing;
+  for (const PlaceImages& folder : folders) {
+    const DatasetFolder& dataset = folder.dataset;
+    const bool from_poses = source == TruthSource::kPoses;
+    if (from_poses ? !dataset.ground_truth.empty() : !dataset.overlaps.empty()) continue;
+    const auto file = dataset.path / (from_poses ? "groundtruth.txt" : "overlaps.txt");
+    missing.insert(file.string() + (std::filesystem::exists(file) ? " is empty" : " is missing"));
+  }
+  return missing;
+}
+
 }  // namespace
 
 PlaceLabel LabelOfOverlap(double covisible_share, double angle_deg) {
@@ -133,6 +147,23 @@ PlaceTruth FindPlaceTruth(const std::vector<PlaceImages>& queries,
     }
   }
   return truth;
+}
+
+std::string WhyNoPositive(const std::vector<PlaceImages>& queries,
+                          const std::vector<PlaceImages>& database, size_t self_gap,
+                          TruthSource source) {
+  std::set<std::string> missing = MissingTruth(queries, source);
+  if (self_gap == 0) missing.merge(MissingTruth(database, source));
+  std::string files;
+  for (const std::string& file : missing) files += (files.empty() ? "" : "; ") + file;
+  if (!files.empty()) return files;
+  const std::string place =
+      source == TruthSource::kPoses ? "by their ground truth" : "by overlaps.txt of one folder";
+  if (self_gap > 0) {
+    return "none shows the same place as one at least " + std::to_string(self_gap) +
+           " images before, " + place;
+  }
+  return "no image of the database shows the same place as one of them, " + place;
 }
 
 PlaceTruth ReadPlaceTruth(const std::filesystem::path& file, size_t num_queries,

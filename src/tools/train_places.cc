@@ -96,6 +96,9 @@ void CheckArguments(const Arguments& arguments) {
   if (!arguments.overwrite && std::filesystem::exists(arguments.out)) {
     throw std::runtime_error(arguments.out + " exists; give --overwrite to replace it");
   }
+}
+
+void PrepareFolder(const Arguments& arguments) {
   RequireWritableFolder(std::filesystem::absolute(arguments.out).parent_path(),
                         kBytesOfWord * static_cast<uintmax_t>(arguments.options.cluster.num_words));
 }
@@ -127,11 +130,12 @@ int TrainPlacesCommand(int argc, const char* const* argv, std::ostream& out) {
   Declare(&arguments, &app);
   if (const auto status = ParseArguments(&app, argc, argv, out)) return *status;
   CheckArguments(arguments);
+  const std::vector<std::filesystem::path> images = ChooseImages(arguments);
+  PrepareFolder(arguments);
   cv::setNumThreads(1);  // the threads are ours
   Executor executor(arguments.num_threads);
   StepBars bars(&out);
   const std::string work_folder = std::filesystem::absolute(arguments.out + ".work").string();
-  const std::vector<std::filesystem::path> images = ChooseImages(arguments);
   const TrainingCheckpoint checkpoint(work_folder);
   const TrainingResult result =
       TrainPlaces(images, arguments.options, checkpoint, arguments.resume, &executor,

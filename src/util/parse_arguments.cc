@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
@@ -11,7 +12,7 @@ namespace rovio_sfm {
 namespace {
 
 // CLI11's names of the types of options.
-constexpr char kWhole[] = "INT", kWholeFromZero[] = "UINT";
+constexpr char kWhole[] = "INT", kWholeFromZero[] = "UINT", kDecimal[] = "FLOAT";
 
 bool IsOfType(const CLI::Option& option, const std::string& type) {
   const std::string name = option.get_type_name();  // then what its checks say
@@ -55,14 +56,24 @@ std::string RefuseNegative(const std::string& value) {
                    value);
 }
 
-void CheckWholeNumbers(CLI::App* app) {
+// Before an option's own checks: no range that CLI11 knows leaves out what is no number.
+std::string RefuseNotFinite(const std::string& value) {
+  const std::string text = value.substr(value.rfind('+', 0) == 0 ? 1 : 0);
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_read = error == std::errc() && end == text.data() + text.size();
+  return is_read && std::isfinite(number) ? "" : Complaint("a finite number", value);
+}
+
+void CheckNumbers(CLI::App* app) {
   for (CLI::Option* option : app->get_options()) {
     const bool is_from_zero = IsOfType(*option, kWholeFromZero);
     if (is_from_zero) option->check(RefuseNegative, "");
+    if (IsOfType(*option, kDecimal)) option->transform(CLI::Validator(RefuseNotFinite, ""));
     if (is_from_zero || IsOfType(*option, kWhole)) option->transform(CLI::Validator(ReadWhole, ""));
   }
   for (CLI::App* command : app->get_subcommands([](CLI::App*) { return true; })) {
-    CheckWholeNumbers(command);
+    CheckNumbers(command);
   }
 }
 
@@ -70,7 +81,7 @@ void CheckWholeNumbers(CLI::App* app) {
 
 std::optional<int> ParseArguments(CLI::App* app, int argc, const char* const* argv,
                                   std::ostream& out) {
-  CheckWholeNumbers(app);
+  CheckNumbers(app);
   try {
     app->parse(argc, argv);
   } catch (const CLI::Success& asked) {

@@ -1,5 +1,6 @@
 #include "rovio_sfm/app/write_map_files.h"
 
+#include "io/synthetic_model.h"
 #include "report/small_snapshot.h"
 #include "util/temporary_folder.h"
 
@@ -135,9 +136,20 @@ TEST(WriteMapFiles, AsksForTheModelOnlyWhereAFormatNeedsIt) {
   EXPECT_EQ(num_asked, 1);
 }
 
+TEST(WriteMapFiles, CountsAPictureOnceHoweverManyFormatsMissIt) {
+  const TemporaryFolder folder;
+  const MapModel model = MakeSyntheticModel(FullCamera());
+  const MapSource source{[&](const LevelMap&) { return model; }, nullptr, {}};
+  const WrittenFiles written =
+      WriteMapFiles(SmallMap(1), source, ReadFormats("colmap,colmap_text,nvm,bundler"),
+                    folder.Path(), Overwrite::kRefuse);
+  EXPECT_EQ(written.missing_pictures.size(), model.images.size());
+}
+
 TEST(PrintWritten, SaysWhatIsMissing) {
   std::ostringstream out;
-  PrintWritten({{"/a/b"}, 3, {}}, out);
+  const DriveId drive{"robot", 0, 0};
+  PrintWritten({{"/a/b"}, {{drive, 0}, {drive, 1}, {drive, 4}}, {}}, out);
   EXPECT_EQ(out.str(), "wrote /a/b\n3 pictures were not at hand and not written with the rest\n");
 }
 

@@ -26,7 +26,7 @@ TEST(WriteModelFiles, MakesAWorkspaceOfColmapWithThePicturesAsTheyCame) {
   const MapModel model = MakeSyntheticModel(FullCamera());
   const WrittenFiles written =
       WriteModelFiles(model, MapFormat::kColmap, AllButFirst(), folder.Path(), Overwrite::kRefuse);
-  EXPECT_EQ(written.num_missing_pictures, 1u);
+  EXPECT_EQ(written.missing_pictures.size(), 1u);
   ASSERT_EQ(written.paths.size(), 5u);
   for (const auto& path : written.paths) {
     EXPECT_TRUE(path.is_absolute() && std::filesystem::exists(path)) << path;

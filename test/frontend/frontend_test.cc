@@ -164,6 +164,17 @@ TEST(Frontend, CountsAndNamesWhatItRefuses) {
   EXPECT_TRUE(frontend.Add(MovingImages::Event(images.At(0), 2)).has_value());
 }
 
+TEST(Frontend, NamesImagesWithoutTextureWhateverTheirColour) {
+  for (const auto& colour : {cv::Scalar::all(0), cv::Scalar::all(255), cv::Scalar(40, 90, 160)}) {
+    Frontend frontend(SmallOptions(KeyframeMode::kEvery), "rovio", 1, 5);
+    const MovingImages images;
+    EXPECT_TRUE(frontend.Add(MovingImages::Event(images.At(0), 0)));
+    const cv::Mat picture(240, 320, CV_8UC3, colour);
+    EXPECT_FALSE(frontend.Add(MovingImages::Event(picture, 1)));
+    EXPECT_EQ(frontend.last_refusal(), "image is of one colour or far more blurred than its drive");
+  }
+}
+
 TEST(Frontend, KeepsImagesOnlyWhenAsked) {
   FrontendOptions options = SmallOptions(KeyframeMode::kEvery);
   EXPECT_EQ(EventsOf(options, 8.0, 1).at(0).jpeg, nullptr);

@@ -1,5 +1,7 @@
 #include "rovio_sfm/io/text_file.h"
 
+#include <unistd.h>
+
 #include "util/temporary_folder.h"
 
 namespace rovio_sfm {
@@ -101,7 +103,45 @@ TEST(ReadBytes, RefusesLargeFiles) {
   const TemporaryFolder folder;
   const auto path = folder.Write("a.bin", "12345");
   EXPECT_EQ(ReadBytes(path, 5).size(), 5u);
-  EXPECT_NE(MessageOf([&] { ReadBytes(path, 4); }), "");
+  EXPECT_EQ(MessageOf([&] { ReadBytes(path, 4); }), path.string() + ": 5 bytes, more than 4");
+}
+
+// A pipe that holds a text; its reading end goes with the object.
+class Pipe {
+ public:
+  explicit Pipe(const std::string& text) {
+    int ends[2] = {-1, -1};
+    if (pipe(ends) != 0) ADD_FAILURE() << "no pipe";
+    reading_end_ = ends[0];
+    EXPECT_EQ(write(ends[1], text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    close(ends[1]);
+  }
+  ~Pipe() { close(reading_end_); }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  std::string Path() const { return "/dev/fd/" + std::to_string(reading_end_); }
+
+ private:
+  int reading_end_ = -1;
+};
+
+TEST(ReadBytes, ReadsPipesToTheirEnd) {
+  EXPECT_EQ(ReadBytes(Pipe("12345").Path(), 5).size(), 5u);
+  EXPECT_TRUE(ReadBytes(Pipe("").Path(), 5).empty());
+  EXPECT_EQ(ReadTextFile(Pipe("# a\n1 2\n").Path()).at(0).fields.at(1), "2");
+}
+
+TEST(ReadBytes, BoundsWhatHasNoSize) {
+  const Pipe pipe("12345");
+  EXPECT_EQ(MessageOf([&] { ReadBytes(pipe.Path(), 4); }), pipe.Path() + ": more bytes than 4");
+  EXPECT_EQ(MessageOf([&] { ReadBytes("/dev/zero", 9); }), "/dev/zero: more bytes than 9");
+}
+
+TEST(ReadBytes, RefusesFoldersAndWhatIsNotThere) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Path().string();
+  EXPECT_EQ(MessageOf([&] { ReadBytes(path, 4); }), path + ": Is a directory");
+  EXPECT_EQ(MessageOf([&] { ReadBytes(path + "/a", 4); }), path + "/a: No such file or directory");
 }
 
 }  // namespace

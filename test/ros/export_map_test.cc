@@ -72,12 +72,13 @@ TEST_F(ExportMapTest, RefusesAFormatThatItDoesNotKnowByName) {
 
 TEST_F(ExportMapTest, WritesTheFormatsAskedForAndSaysWhatIsMissing) {
   ExportMapRequest request;
-  request.formats = "kitti,colmap";
+  request.formats = "kitti,colmap,colmap_text";
   const MapSource source{[](const LevelMap&) {
                            MapModel model;
                            model.cameras.resize(1);
                            model.images.resize(2);
                            model.images[0].name = "a";
+                           model.images[1].id.index = 1;
                            model.images[1].name = "b";
                            return model;
                          },
@@ -86,7 +87,7 @@ TEST_F(ExportMapTest, WritesTheFormatsAskedForAndSaysWhatIsMissing) {
   const auto response = ExportMapFiles(*SmallMaps(1), source, folder_.string(), request);
   ASSERT_EQ(response.status.code, Status::OK) << response.status.message;
   EXPECT_NE(response.status.message.find("2 pictures were not at hand"), std::string::npos);
-  EXPECT_EQ(response.files.size(), 6u);
+  EXPECT_EQ(response.files.size(), 10u);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "colmap/sparse/0/images.bin"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "cloud.ply"));
 }

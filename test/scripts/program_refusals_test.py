@@ -52,6 +52,13 @@ TOOLS = {
     "rovio_sim": ["--images", NOWHERE, "--port", "0"],
     "train_places": [NOWHERE, "--out", "{out}/model.places"],
 }
+NOT_FINITE = {
+    "evaluate_places": ("--min-score", "--ratio"),
+    "evaluate_trajectory": ("--max-gap",),
+    "replay": ("--image-latency", "--odom-latency"),
+    "rovio_sim": ("--noise", "--rolling-shutter", "--steps"),
+    "train_places": ("--p-z-given-e",),
+}
 # Numbers that no program takes: the words, and what the message says.
 NUMBERS = {
     "evaluate_places": (["--seed", "-1"], "--seed: expected a whole number, 0 to "),
@@ -104,13 +111,15 @@ def run(program, arguments, port):
 class ProgramRefusalsTest(unittest.TestCase):
     def test_tools_name_a_bad_option_and_a_bad_file(self):
         for program, arguments in TOOLS.items():
-            with self.subTest(program), tempfile.TemporaryDirectory() as out:
+            with self.subTest(program), tempfile.TemporaryDirectory() as folder:
+                out = os.path.join(folder, "new")
                 words = [word.format(out=out) for word in arguments]
                 for wrong, named in ((["--robotz"], ""), ([*words, "--robotz"], "--robotz"), (words, NOWHERE)):
                     status, told, said = run(program, wrong, 1)
                     self.assertEqual((status, told), (1, ""))
                     self.assertTrue(said.startswith(f"{program}: "), said)
                     self.assertIn(named, said)
+                    self.assertEqual(os.listdir(folder), [])  # what is refused leaves nothing behind
 
     def test_tools_help_on_standard_output(self):
         for program in TOOLS:
@@ -125,6 +134,21 @@ class ProgramRefusalsTest(unittest.TestCase):
                 status, told, said = run(program, words, 1)
                 self.assertEqual((status, told), (1, ""))
                 self.assertIn(complaint, said)
+
+    def test_tools_refuse_numbers_that_are_not_finite(self):
+        for program, options in NOT_FINITE.items():
+            for option in options:
+                with self.subTest(program, option=option):
+                    status, told, said = run(program, [option, "nan"], 1)
+                    self.assertEqual((status, told), (1, ""))
+                    self.assertIn(f"{option}: expected a finite number, not 'nan'", said)
+
+    def test_no_option_that_takes_a_number_is_forgotten(self):
+        for program in TOOLS:
+            with self.subTest(program):
+                _, told, _ = run(program, ["--help"], 1)
+                options = {line.split()[0] for line in told.splitlines() if " FLOAT" in line}
+                self.assertEqual(options, set(NOT_FINITE.get(program, ())))
 
     def test_nodes_name_a_bad_option_and_a_bad_value(self):
         with Master() as master:

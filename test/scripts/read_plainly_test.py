@@ -10,6 +10,8 @@ import unittest
 SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
 # The arguments, the file at fault among them as FILE, others as OTHER.
 CALLS = {
+    "check_same": ["FILE", "."],
+    "compare": ["FILE", "--out", "out"],
     "evaluate_cloud.py": ["OTHER", "FILE", "OTHER", "OTHER"],
     "expected_error.py": ["FILE"],
     "plot_cloud.py": ["FILE", "out.png"],

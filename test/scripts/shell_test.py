@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Scripts as users call them: with CDPATH, through symlinks, from elsewhere; record_inputs refuses what
+"""Scripts as users call them: with CDPATH, through symlinks, from elsewhere, asked for help; record_inputs refuses what
 would be lost, and passes on what it does not know."""
 
 import os
@@ -11,6 +11,22 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 RECORD = ROOT / "scripts/record_inputs"
+# Words that a script does not know; the last is at fault.
+REFUSED = {
+    "build": ["--only", "util_test", "word"],
+    "check_docs": ["word"],
+    "check_format": ["word"],
+    "check_layers": ["word"],
+    "count_option_lines": ["HEAD", "word"],
+    "demo": ["--no-install", "--out"],
+    "fuzz": ["1", "word"],
+    "install_dependencies": ["--peers", "word"],
+    "screenshot": ["--no-install", "word"],
+    "test": ["word"],
+    "test_long": ["fuzz", "word"],
+    "test_sanitized": ["word"],
+    "write_options": ["word"],
+}
 
 
 class Scripts(unittest.TestCase):
@@ -37,6 +53,29 @@ class Scripts(unittest.TestCase):
             text = script.read_text() if script.is_file() else ""
             if "/environment" in text and text.startswith("#!") and "bash" in text.splitlines()[0]:
                 self.assertIn('. "$(dirname "$(readlink -f "$0")")/environment"', text, script.name)
+
+    def test_every_script_tells_what_it_does_and_refuses_what_it_does_not_know(self):
+        for script in sorted((ROOT / "scripts").iterdir()):
+            if not script.is_file() or not os.access(script, os.X_OK):
+                continue
+            (self.folder / "linked").unlink(missing_ok=True)
+            (self.folder / "linked").symlink_to(script)
+            with self.subTest(script.name):
+                done = self.run_in_folder(self.folder / "linked", "--help", CDPATH=f".:/:{self.folder}")
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertGreaterEqual(len(done.stdout.strip()), 60)
+                done = self.run_in_folder(script, "--nonsense")
+                self.assertIn(done.returncode, (1, 2))
+                self.assertNotIn("Traceback", done.stderr)
+                self.assertEqual(done.stdout, "")
+                self.assertRegex(done.stderr, "--nonsense|expected|required")
+
+    def test_scripts_without_options_refuse_words(self):
+        for name, words in REFUSED.items():
+            with self.subTest(name):
+                done = self.run_in_folder(ROOT / "scripts" / name, *words)
+                self.assertEqual((done.returncode, done.stdout), (1, ""))
+                self.assertRegex(done.stderr, rf"\A{name}: '?{words[-1]}.*expected .*\n\Z")
 
     def record(self, bag):
         """With a rosrun that shows what it would run."""

@@ -89,6 +89,38 @@ TEST_F(EvaluatePlacesTest, AsksADriveAmongItsOwnPast) {
   EXPECT_EQ(num_lines, 7);
 }
 
+TEST_F(EvaluatePlacesTest, MeasuresNothingWithoutAPlaceThatIsRight) {
+  const auto complaint = [&](const std::vector<std::string>& more) {
+    return MessageOf([&] { Run(more); });
+  };
+  const std::string nothing = "no query has a place that is right, so nothing can be measured: ";
+  const std::string file = PathOf("a/groundtruth.txt"), out = PathOf("out");
+  std::filesystem::remove(file);
+  EXPECT_EQ(complaint({"--out", out}), nothing + file + " is missing");
+  std::ofstream(file) << "1.0 9 0 0 0 0 0 1\n5.0 0 0 0 0 0 0 1\n";
+  EXPECT_EQ(complaint({"--out", out}),
+            nothing +
+                "no image of the database shows the same place as one of them, by their "
+                "ground truth");
+  std::ofstream(PathOf("truth.txt")) << "0 0 -1 0\n0 0 0 0\n";
+  EXPECT_EQ(complaint({"--matrix", PathOf("truth.txt"), "--out", out}),
+            nothing + PathOf("truth.txt") + " has no 1 that counts");
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(EvaluatePlacesTest, MeasuresNothingWhereADriveHasNoPast) {
+  const std::string message = MessageOf([&] {
+    RunCommand(EvaluatePlacesCommand,
+               {"--query", PathOf("a"), "--self", "100", "--model", PathOf("random.places"),
+                "--threads", "1", "--out", PathOf("self")},
+               &printed_);
+  });
+  EXPECT_EQ(message,
+            "no query has a place that is right, so nothing can be measured: none shows the same "
+            "place as one at least 100 images before, by their ground truth");
+  EXPECT_FALSE(std::filesystem::exists(PathOf("self")));
+}
+
 TEST_F(EvaluatePlacesTest, NeedsADatabase) {
   EXPECT_THROW(RunCommand(EvaluatePlacesCommand, {"--query", PathOf("a"), "--out", PathOf("out")},
                           &printed_),
@@ -104,6 +136,7 @@ TEST_F(EvaluatePlacesTest, KeepsAnOlderSummaryUnlessTold) {
 TEST_F(EvaluatePlacesTest, RefusesOddOptions) {
   EXPECT_THROW(Run({"--out", PathOf("out"), "--candidates", "0"}), std::runtime_error);
   EXPECT_THROW(Run({"--out", PathOf("out"), "--truth", "hearsay"}), std::runtime_error);
+  EXPECT_FALSE(std::filesystem::exists(PathOf("out")));
 }
 
 }  // namespace

@@ -106,6 +106,22 @@ TEST(MapImagesCommand, TellsWhichFormatsAMapCannotBeWrittenIn) {
   EXPECT_NE(printed.find("grid: not written"), std::string::npos) << printed;
 }
 
+TEST(MapImagesCommand, MakesNoFolderForWhatItRefuses) {
+  const TemporaryFolder folder;
+  WriteGreyFolder(folder);
+  const std::string drive = folder.Path() / "drive", out = folder.Path() / "out";
+  std::string printed;
+  const auto complaint = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {drive, "--out", out});
+    return MessageOf([&] { RunCommand(MapImagesCommand, more, &printed); });
+  };
+  EXPECT_EQ(complaint({"--localize"}),
+            out + "/map.db: no such file; --localize expected the maps of an earlier run");
+  EXPECT_NE(complaint({"--localize", "--no-store"}).find("--no-store"), std::string::npos);
+  EXPECT_NE(complaint({"--places", "/nowhere"}).find("/nowhere"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
 TEST(MapImagesCommand, RefusesBadArguments) {
   const TemporaryFolder folder;
   WriteGreyFolder(folder);

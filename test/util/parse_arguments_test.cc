@@ -18,6 +18,8 @@ struct Values {
   std::optional<size_t> most;
   size_t stride = 1;
   int delta = 0;
+  double gap = 1.0;
+  std::optional<double> share;
   std::vector<int> list;
   std::string out;  // what was printed
 
@@ -29,6 +31,8 @@ struct Values {
     app.add_option("--stride", stride)->check(CLI::Range(1, 1000000));
     app.add_option("--delta", delta);
     app.add_option("--list", list);
+    app.add_option("--gap", gap)->check(CLI::Range(1e-6, 1e6));
+    app.add_option("--share", share);
     app.add_flag("--flag", "of no value");
     app.add_subcommand("command", "has options too")->add_option("--map", map);
     std::ostringstream stream;
@@ -86,6 +90,27 @@ TEST(ParseArguments, RefusesWhatIsNoWholeNumber) {
                 option + ": expected a whole number, not '" + value + "'");
     }
   }
+}
+
+TEST(ParseArguments, ReadsFiniteNumbers) {
+  Values values;
+  ASSERT_FALSE(values.Parse({"--gap", "2.5e-3", "--share=+7"}));
+  EXPECT_EQ(values.gap, 2.5e-3);
+  EXPECT_EQ(values.share, 7.0);
+  ASSERT_FALSE(values.Parse({"--share", "-.5"}));
+  EXPECT_EQ(values.share, -0.5);
+}
+
+TEST(ParseArguments, RefusesWhatIsNoFiniteNumber) {
+  for (const std::string value : {"nan", "-nan", "NaN", "nan(1)", "inf", "-inf", "1e999", "much"}) {
+    for (const std::string option : {"--gap", "--share"}) {
+      const std::string word = option + "=" + value;
+      EXPECT_EQ(Values().Complaint({word.c_str()}),
+                option + ": expected a finite number, not '" + value + "'");
+    }
+  }
+  EXPECT_EQ(Values().Complaint({"--gap", "0"}),
+            "--gap: Value 0 not in range 0.000001 to 1000000.000000");
 }
 
 TEST(ParseArguments, HelpsOnTheStreamAndEndsThere) {

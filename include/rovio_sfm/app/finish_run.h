@@ -28,8 +28,8 @@ struct RunToFinish {
 // Before the run, cheap now and vexing after an hour's work. Throws std::runtime_error that names
 // a result of an earlier run which may not be replaced.
 void RefuseOlderResults(const MappingArguments& arguments);
-// Makes the folder for the results and proves that it can be written to and has room for so many
-// images. Throws std::runtime_error.
+// Makes the folder for the results, unless images are to be localized in what is not there, and
+// proves that it can be written to and has room for so many. Throws std::runtime_error.
 void PrepareMapFolder(const MappingArguments& arguments, size_t num_images);
 
 // Writes all maps and summary.json, which begins with `header`, as they stand; then adjusts finally

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ using PictureSource =
 
 struct WrittenFiles {
   std::vector<std::filesystem::path> paths;  // absolute; of a folder of pictures the folder
-  size_t num_missing_pictures = 0;           // of those that a format wants, all formats together
+  std::set<FrameId> missing_pictures;        // of those that a format wants: not at hand
   std::vector<std::string> left_out;         // sentences: formats that the map cannot be written in
   std::optional<DensifyCounts> densified = {};       // where that was asked for
   std::vector<std::filesystem::path> pictures = {};  // in folders of them, absolute

@@ -22,7 +22,7 @@ struct FrontendCounters {
   uint64_t images = 0;
   uint64_t refused = 0;      // broken bytes, wrong size, bad camera
   uint64_t late = 0;         // not later than the drive's newest image, by at most a second
-  uint64_t spoilt = 0;       // black or far too blurred
+  uint64_t spoilt = 0;       // of one colour or far too blurred
   uint64_t featureless = 0;  // too few features for a keyframe
   uint64_t untracked = 0;    // too few features followed for a light frame
   uint64_t keyframes = 0;

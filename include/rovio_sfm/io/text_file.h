@@ -29,7 +29,8 @@ struct TextLine {
 // larger than 256 MB or has a line longer than 4096 bytes.
 std::vector<TextLine> ReadTextFile(const std::filesystem::path& path);
 
-// All bytes of a file of at most max_bytes; throws std::runtime_error otherwise.
+// All bytes of a file, or of a pipe until it ends, of at most max_bytes; throws std::runtime_error
+// otherwise.
 std::vector<uint8_t> ReadBytes(const std::filesystem::path& path, uintmax_t max_bytes);
 
 // A decimal number, with an exponent or without, as nanoseconds: seconds, exact to nine decimals,

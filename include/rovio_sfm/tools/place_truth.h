@@ -41,6 +41,12 @@ PlaceTruth FindPlaceTruth(const std::vector<PlaceImages>& queries,
                           const std::vector<PlaceImages>& database, size_t num_distractors,
                           TruthSource source);
 
+// A sentence for where no query has a positive: the files that are missing, or that nobody sees the
+// same place. self_gap: of PlaceTrialOptions; 0 where there is a database.
+std::string WhyNoPositive(const std::vector<PlaceImages>& queries,
+                          const std::vector<PlaceImages>& database, size_t self_gap,
+                          TruthSource source);
+
 // Truth from a text file: a row per query, a number per database image that is no distractor: 1
 // positive, 0 negative, -1 between. Throws std::runtime_error naming line and field.
 PlaceTruth ReadPlaceTruth(const std::filesystem::path& file, size_t num_queries,
