@@ -18,6 +18,7 @@ import demo_services
 from demo_graph import (STALL_S, Graph, MergeWatch, Progress, TruthRecorder, free_ports, run,
                         wait_for)
 from demo_pictures import MIN_COLOURED_SHARE
+from read_plainly import Unreadable, end_plainly
 
 HERE = pathlib.Path(__file__).resolve().parent  # scripts/, or lib/rovio_sfm of an install space
 IS_INSTALLED = HERE.name == "rovio_sfm"
@@ -155,11 +156,20 @@ def report(out, figures, merges, answers):
     return all(results.values())
 
 
+def begin_folder(out):
+    """Empties the folder of an earlier demo, and no other."""
+    figures = out / "demo.json"
+    if out.exists() and not figures.exists() and (not out.is_dir() or any(out.iterdir())):
+        raise Unreadable(f"{out}: holds something else; expected a new folder, or that of an earlier demo")
+    shutil.rmtree(out, ignore_errors=True)
+    (out / "map").mkdir(parents=True)
+    figures.write_text("{}\n")
+
+
 def main():
     arguments = parse_arguments()
     out = arguments.out.resolve()
-    shutil.rmtree(out, ignore_errors=True)
-    (out / "map").mkdir(parents=True)
+    begin_folder(out)
     start, port = time.monotonic(), free_ports(len(TOURS))
     graph = Graph(out, [
         "multi.launch", "sim:=true", "robots:=" + ",".join(TOURS),
@@ -188,4 +198,7 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(end_plainly(main))
+    except KeyboardInterrupt:
+        sys.exit("run_demo.py: stopped; its nodes have ended")

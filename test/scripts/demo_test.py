@@ -4,6 +4,7 @@
 import contextlib
 import io
 import pathlib
+import subprocess
 import sys
 import tempfile
 import types
@@ -13,7 +14,8 @@ import cv2
 import numpy
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
+sys.path.insert(0, str(SCRIPTS))
 import demo_graph
 import demo_pictures
 
@@ -22,6 +24,18 @@ def status(num_events):
     session = types.SimpleNamespace(num_frames=num_events)
     entry = types.SimpleNamespace(num_frames=num_events, num_landmarks=10 * num_events)
     return types.SimpleNamespace(num_events=num_events, sessions=[session], maps=[entry])
+
+
+class FolderTest(unittest.TestCase):
+    def test_a_folder_of_something_else_is_not_emptied(self):
+        with tempfile.TemporaryDirectory() as folder:
+            mine = pathlib.Path(folder) / "mine.txt"
+            mine.write_text("mine")
+            done = subprocess.run([sys.executable, SCRIPTS / "run_demo.py", "--out", folder],
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn(f"{folder}: holds something else", done.stderr)
+            self.assertEqual(mine.read_text(), "mine")
 
 
 class ProgressTest(unittest.TestCase):
