@@ -12,6 +12,7 @@
 #include <cmath>
 #include <map>
 
+#include "rovio_sfm/surface/drop_chatter.h"
 #include "rovio_sfm/util/median.h"
 
 namespace rovio_sfm {
@@ -158,6 +159,7 @@ Triangles Poisson(const Cloud::Ptr& cloud, int depth, Cloud* corners) {
   poisson.setThreads(1);  // the same bytes on every machine
   poisson.setInputCloud(cloud);
   std::vector<pcl::Vertices> polygons;
+  const DropChatter quiet;
   poisson.reconstruct(*corners, polygons);
   Triangles triangles;
   for (const pcl::Vertices& polygon : polygons) {
