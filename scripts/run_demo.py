@@ -201,4 +201,4 @@ if __name__ == "__main__":
     try:
         sys.exit(end_plainly(main))
     except KeyboardInterrupt:
-        sys.exit("run_demo.py: stopped; its nodes have ended")
+        sys.exit("run_demo.py: stopped")

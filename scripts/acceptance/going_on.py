@@ -44,7 +44,7 @@ def another_folder(first, second):
     outcomes.append(holds_drives(out / "map.db", 2))
     strided = maps(first, "--stride", 2, "--out", out, "--resume")
     outcomes.append(says("other pictures of a known folder are told", strided, {0, 2},
-                         "stride and mode must be those of the run before"))
+                         "stride, mode and the options of the frontend must be those of the run before"))
     outcomes.append(holds_drives(out / "map.db", 2))
     return outcomes
 

@@ -59,7 +59,9 @@ std::string WhyNowhere(const PlaceCounters& places) {
 void ReplaceLocalized(const std::filesystem::path& folder,
                       std::vector<std::filesystem::path> written) {
   for (const std::filesystem::path& file : ListedFiles(folder)) {
-    if (file.filename().string().rfind("localized", 0) != 0) written.push_back(file);
+    if (!IsLocalized(file.lexically_relative(std::filesystem::absolute(folder)))) {
+      written.push_back(file);
+    }
   }
   RemoveListedBut(folder, written);
 }
@@ -109,8 +111,9 @@ void DeclareMappingArguments(CLI::App* app, MappingArguments* arguments) {
       "--resume", arguments->resume,
       "go on with the maps that the folder holds; a drive that is there goes on after its end");
   resume->excludes(overwrite)->excludes("--seeded");
-  app->add_flag("--localize", arguments->mapper.localize,
-                "pose the images in the maps that the folder holds, and write localized.txt alone")
+  app->add_flag(
+         "--localize", arguments->mapper.localize,
+         "pose the images in the maps that the folder holds, which stay; write localized.txt")
       ->excludes(overwrite)
       ->excludes(resume)
       ->excludes("--seeded");

@@ -9,8 +9,6 @@
 namespace rovio_sfm {
 namespace {
 
-constexpr uint32_t kMaxIndicesWithoutOdometry = 10;
-
 std::vector<FrameId> NewestFrames(const std::map<DriveId, uint32_t>& next_indices) {
   std::vector<FrameId> newest;
   for (const auto& [drive, next_index] : next_indices) {
@@ -95,7 +93,7 @@ MapperReport MappingEngine::Add(const FrameEvent& event) {
   const bool is_registered =
       report.outcome == MapperOutcome::kKeyframe || report.outcome == MapperOutcome::kLight;
   if (is_registered) {
-    Anchor(event.id.drive.robot, {report.session, event.id.index, event.odometry});
+    Anchor({report.session, event.id.index, event.odometry, event.id.drive});
   }
   Show();
   return report;
@@ -125,24 +123,21 @@ std::optional<Localization> MappingEngine::Localize(const PlaceMatch& match) {
   return pose;
 }
 
-// A robot stays where its newest frame put it; a few frames without odometry do not part its wheels
-// from the map.
-void MappingEngine::Anchor(const std::string& robot, OdometryAnchor newer) {
-  OdometryAnchor& anchor = anchors_[robot];
-  const bool is_gap = anchor.odometry && !newer.odometry && anchor.session == newer.session &&
-                      newer.index - anchor.index <= kMaxIndicesWithoutOdometry;
-  if (!is_gap) anchor = std::move(newer);
+// A robot stays where its newest frame put it.
+void MappingEngine::Anchor(const OdometryAnchor& newer) {
+  anchors_[newer.drive.robot] = newer;
+  if (newer.odometry) wheel_anchors_[newer.drive.robot] = newer;
 }
 
 void MappingEngine::Anchor(const Localization& pose) {
-  const std::string& robot = pose.id.drive.robot;
-  const auto anchor = anchors_.find(robot);
-  if (anchor != anchors_.end() && anchor->second.localized &&
+  const DriveId& drive = pose.id.drive;
+  const auto anchor = anchors_.find(drive.robot);
+  if (anchor != anchors_.end() && anchor->second.drive == drive && anchor->second.localized &&
       anchor->second.localized->stamp_ns > pose.stamp_ns) {
     return;
   }
-  astray_.erase(robot);
-  Anchor(robot, {pose.session, pose.id.index, pose.odometry, FrameOf(pose)});
+  astray_.erase(drive.robot);
+  Anchor({pose.session, pose.id.index, pose.odometry, drive, FrameOf(pose)});
 }
 
 void MappingEngine::ApplyDueResults() {
@@ -259,6 +254,7 @@ std::filesystem::path MappingEngine::Load(const std::filesystem::path& other) {
 void MappingEngine::BeginAnew() {
   state_ = std::make_unique<State>(options_, store_ ? &store_->store() : nullptr);
   anchors_.clear();
+  wheel_anchors_.clear();
   astray_.clear();
   saved_up_to_.clear();
   ++epoch_;
@@ -271,6 +267,7 @@ void MappingEngine::Show() {
   picture.epoch = epoch_;
   picture.snapshot = state_->mapper.Snapshot();
   picture.anchors = anchors_;
+  picture.wheel_anchors = wheel_anchors_;
   picture.motion = motion_;
   picture.counters = state_->mapper.counters();
   picture.num_events = num_events_;

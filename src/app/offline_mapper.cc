@@ -193,8 +193,8 @@ bool OfflineMapper::IsKept(const FrameEvent& event) {
   }
   if (otherwise_kept_.count(drive) == 0) return is_there;
   CountReason(
-      "frame: the map holds another picture of its drive under its number; stride and "
-      "mode must be those of the run before",
+      "frame: the map holds another picture of its drive under its number; stride, "
+      "mode and the options of the frontend must be those of the run before",
       &refused_);
   return true;
 }

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <ostream>
+#include <regex>
 #include <set>
 #include <stdexcept>
 
@@ -232,6 +233,11 @@ void PrintWritten(const WrittenFiles& written, std::ostream& out) {
     out << CountWere(written.missing_pictures.size(), "picture")
         << " not at hand and not written with the rest\n";
   }
+}
+
+bool IsLocalized(const fs::path& name) {
+  static const std::regex kName("(map_[0-9]+/)?localized(_[^/]+)?\\.txt");
+  return std::regex_match(name.string(), kName);
 }
 
 std::vector<NamedFile> LocalizedFiles(const MapSnapshot& snapshot,

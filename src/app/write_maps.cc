@@ -42,15 +42,12 @@ std::vector<WrittenMap> WriteAllMaps(const MapSnapshot& snapshot, const MapSourc
     const WrittenFiles files = WriteMapFiles(map, source, formats, place, overwrite);
     if (place != folder && std::filesystem::is_empty(place)) std::filesystem::remove(place);
     AppendFiles(files, &fresh);
+    AddListedFiles(folder, fresh);
     written.push_back({map.id, PosedImages(map).size(), map.scale.has_value(),
                        std::filesystem::absolute(place), files.paths, files.left_out,
                        files.densified});
   }
-  if (overwrite == Overwrite::kAllow) {
-    RemoveListedBut(folder, fresh);
-  } else {
-    AddListedFiles(folder, fresh);
-  }
+  if (overwrite == Overwrite::kAllow && !written.empty()) RemoveListedBut(folder, fresh);
   return written;
 }
 
@@ -62,7 +59,10 @@ std::string Describe(const WrittenMap& map) {
 std::vector<Path> FindMapFiles(const Path& folder) {
   static const std::regex kMapFolder("map_[0-9]+");
   std::set<Path> files;
-  for (Path& file : ListedFiles(folder)) files.insert(std::move(file));
+  for (const Path& file : ListedFiles(folder)) {
+    if (!IsLocalized(file.lexically_relative(std::filesystem::absolute(folder))))
+      files.insert(file);
+  }
   AddDefaultFiles(folder, &files);
   if (!std::filesystem::is_directory(folder)) return {};
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

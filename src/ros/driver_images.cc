@@ -81,8 +81,8 @@ void DriverImages::BeginReading() {
 void DriverImages::NoteLink(bool is_up, int64_t now_ns) {
   MutexLock lock(mutex_);
   if (is_up) {
-    heard_ns_ = heard_ns_.value_or(now_ns);
-  } else if (keeps_settings_) {
+    heard_ns_ = now_ns;
+  } else if (settings_ns_) {
     heard_ns_.reset();
     has_settings_ = false;
   }
@@ -110,7 +110,9 @@ void DriverImages::CheckSettings(int64_t now_ns) {
 
 // The robot reports a new size before it sends it.
 bool DriverImages::IsOfOldSize(const CameraImage& image) const {
-  if (has_settings_ && image.complete_ns - settings_ns_ > kSizeChangeNs) return false;
+  const bool may_change =
+      has_settings_ ? settings_ns_ && image.complete_ns - *settings_ns_ <= kSizeChangeNs : true;
+  if (!may_change) return false;
   const auto& [width_px, height_px] = kSizes[resolution_];
   return image.width_px != width_px || image.height_px != height_px;
 }
@@ -119,7 +121,10 @@ void DriverImages::OnImage(CameraImage image) {
   {
     MutexLock lock(mutex_);
     heard_ns_ = heard_ns_.value_or(image.complete_ns);
-    if (IsOfOldSize(image)) return;
+    if (IsOfOldSize(image)) {
+      ++num_of_old_size_;
+      return;
+    }
     statistics_.Add(image.first_byte_ns, image.complete_ns);
     if (is_stationary_) {
       if (!publisher_.HasListeners() || !trigger_.Accept(image.first_byte_ns)) return;
@@ -148,7 +153,7 @@ ImageLink DriverImages::Link() const {
 uint64_t DriverImages::NumDropped() const {
   const ImageCounters& counters = reader_.Counters();
   return counters.num_truncated + counters.num_corrupt + counters.num_too_large +
-         publish_worker_.NumDropped() + publisher_.NumWithoutTime();
+         publish_worker_.NumDropped() + publisher_.NumWithoutTime() + num_of_old_size_;
 }
 
 ImagesState DriverImages::TakeState() {

@@ -21,6 +21,21 @@ geometry_msgs::TransformStamped Edge(const std::string& parent, const std::strin
   return edge;
 }
 
+constexpr uint32_t kMaxIndicesWithoutOdometry = 10;
+
+// The robot's newest frame; one shortly before where only that tells of its wheels: a few frames
+// without odometry do not part them from a metric map.
+const OdometryAnchor& AnchorOf(const MapPicture& picture, const std::string& robot,
+                               const SessionSnapshot& session) {
+  const OdometryAnchor& newest = picture.anchors.at(robot);
+  const auto wheels = picture.wheel_anchors.find(robot);
+  if (!session.scale || wheels == picture.wheel_anchors.end()) return newest;
+  const OdometryAnchor& before = wheels->second;
+  const bool is_shortly_before = before.drive == newest.drive && before.session == newest.session &&
+                                 newest.index - before.index <= kMaxIndicesWithoutOdometry;
+  return is_shortly_before ? before : newest;
+}
+
 // The edge that carries a robot; nothing while its anchor has no pose.
 std::optional<geometry_msgs::TransformStamped> RobotEdge(const std::string& robot,
                                                          const OdometryAnchor& anchor,
@@ -85,7 +100,8 @@ std::vector<geometry_msgs::TransformStamped> MapEdges(const MapPicture& picture,
   for (const auto& [robot, anchor] : picture.anchors) {
     const SessionSnapshot* session = FindSession(*picture.snapshot, anchor.session);
     if (session == nullptr) continue;
-    if (const auto edge = RobotEdge(robot, anchor, *session, stamp)) edges.push_back(*edge);
+    const OdometryAnchor& place = AnchorOf(picture, robot, *session);
+    if (const auto edge = RobotEdge(robot, place, *session, stamp)) edges.push_back(*edge);
   }
   return edges;
 }

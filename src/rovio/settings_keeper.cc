@@ -37,12 +37,12 @@ SettingsKeeper::SettingsKeeper(const std::optional<CameraSettings>& wanted) {
 
 SettingsKeeper::Step SettingsKeeper::Next(const SomeSettings& present, int64_t now_ns) {
   if (!wanted_) return Step::kNothing;
-  if (is_done_) {  // by a service, by another hand, or for good
-    wanted_ = Latest(present, *wanted_);
+  if (is_done_) {  // by a service, or by another hand; what was refused is wished for again
+    if (is_agreed_) wanted_ = Latest(present, *wanted_);
     return Step::kNothing;
   }
   if (AreAgreed(present, *wanted_) && (was_requested_ || AreAllKnown(present))) {
-    is_done_ = true;
+    is_done_ = is_agreed_ = true;
     return Step::kAgreed;
   }
   if (!requested_ns_) return Step::kRequest;
@@ -59,7 +59,7 @@ void SettingsKeeper::MarkRequested(bool has_arrived, int64_t now_ns) {
 
 void SettingsKeeper::BeginAgain() {
   requested_ns_.reset();
-  is_done_ = false;
+  is_done_ = is_agreed_ = false;
 }
 
 std::string Describe(const SomeSettings& settings) {

@@ -51,6 +51,32 @@ TEST(MapFrames, MetricMapCarriesTheOdometryOfItsRobot) {
   EXPECT_NEAR(odom->transform.rotation.w, 1.0, 1e-9);
 }
 
+// Frames without odometry keep the edge of one shortly before them in their drive, and no other.
+TEST(MapFrames, AFewFramesWithoutOdometryKeepTheWheelsInTheMap) {
+  MapPicture picture = MetricPicture();
+  const auto has_wheels = [&] {
+    return Find(MapEdges(picture, ros::Time(5)), "rovio1/odom") != nullptr;
+  };
+  picture.anchors["rovio1"].odometry.reset();
+  EXPECT_FALSE(has_wheels());
+  picture.wheel_anchors["rovio1"] = {SessionId{1}, 2, OdometrySample{1.0, 0.0, 0.0, {}}};
+  EXPECT_TRUE(has_wheels());
+  picture.wheel_anchors["rovio1"].drive.nonce = 7;
+  EXPECT_FALSE(has_wheels());
+  for (const uint32_t index : {11u, 10u}) {
+    MapPicture gap = MetricPicture();
+    auto snapshot = std::make_shared<MapSnapshot>(*gap.snapshot);
+    FrameBlock frames = *snapshot->sessions[0].frames[0];
+    frames.back().index = frames[0].index + index;
+    snapshot->sessions[0].frames[0] = std::make_shared<const FrameBlock>(frames);
+    gap.snapshot = snapshot;
+    gap.anchors["rovio1"] = {SessionId{1}, frames.back().index, std::nullopt};
+    gap.wheel_anchors["rovio1"] = {SessionId{1}, frames[0].index, OdometrySample{}};
+    picture = gap;
+    EXPECT_EQ(has_wheels(), index <= 10);
+  }
+}
+
 TEST(MapFrames, WithoutAScaleTheCameraIsALeaf) {
   MapPicture picture = MetricPicture();
   auto snapshot = std::make_shared<MapSnapshot>(*picture.snapshot);

@@ -59,6 +59,17 @@ TEST(SettingsKeeper, WishesForWhatTheRobotHadLastWhenItWasAway) {
   EXPECT_EQ(keeper.Wanted().resolution, 2);
 }
 
+TEST(SettingsKeeper, WishesForWhatWasRefusedAgainWhenTheRobotWasAway) {
+  SettingsKeeper keeper(CameraSettings{});
+  keeper.Next(OtherSettings(), 0);
+  keeper.MarkRequested(true, 0);
+  EXPECT_EQ(keeper.Next(OtherSettings(), 6 * kSecond), Step::kRefused);
+  EXPECT_EQ(keeper.Next(OtherSettings(), 7 * kSecond), Step::kNothing);
+  keeper.BeginAgain();
+  EXPECT_EQ(keeper.Next(OtherSettings(), 8 * kSecond), Step::kRequest);
+  EXPECT_EQ(keeper.Wanted().resolution, CameraSettings{}.resolution);
+}
+
 // Every request wears out its flash.
 TEST(SettingsKeeper, AsksNoSecondTimeForWhatTheRobotDoesNotTell) {
   SettingsKeeper keeper(CameraSettings{});

@@ -22,6 +22,7 @@ struct OdometryAnchor {
   SessionId session;
   uint32_t index = 0;  // FrameId::index
   std::optional<OdometrySample> odometry;
+  DriveId drive = {};
   std::optional<FrameSnapshot> localized = {};  // the frame itself, where it is none of the map's
 };
 // A localized frame as if it were one of the session's.
@@ -40,8 +41,8 @@ struct MapPicture {
   uint64_t number = 0;  // raised with every picture
   uint64_t epoch = 0;   // raised when all maps are forgotten: sessions are numbered anew
   std::shared_ptr<const MapSnapshot> snapshot;
-  // By robot, of its newest registered frame; where that has no odometry, of one shortly before.
-  std::map<std::string, OdometryAnchor> anchors;
+  // By robot: of its newest registered frame, and of the newest that has odometry.
+  std::map<std::string, OdometryAnchor> anchors, wheel_anchors;
   MapperCounters counters;
   std::map<std::string, MotionCounts> motion;  // by robot
   uint64_t num_events = 0;
@@ -51,7 +52,7 @@ struct MapPicture {
   uint64_t num_place_matches = 0, num_matches_waiting = 0, num_matches_repeated = 0;
   std::vector<FrameId> saved_up_to;  // the newest frame of each drive that is on disk
   uint64_t num_localized = 0, num_not_localized = 0;  // frames, while maps are only read
-  std::set<std::string> astray;  // robots whose newest frame was not found in such a map
+  std::set<std::string> astray;  // robots not found in such a map since their newest frame came
   std::string store_error;       // why nothing is saved any more; empty: all is well
 };
 
@@ -118,7 +119,7 @@ class MappingEngine {
   };
 
   void Resume();
-  void Anchor(const std::string& robot, OdometryAnchor newer);
+  void Anchor(const OdometryAnchor& newer);
   void Anchor(const Localization& pose);
   void BeginAnew();
   bool EnterDrive(const DriveId& drive, std::string* error);
@@ -133,7 +134,7 @@ class MappingEngine {
   std::map<std::string, DriveId> current_drives_;  // by robot
   std::set<DriveId> ended_drives_;
   std::map<DriveId, uint32_t> next_indices_;
-  std::map<std::string, OdometryAnchor> anchors_;
+  std::map<std::string, OdometryAnchor> anchors_, wheel_anchors_;
   std::set<std::string> astray_;
   std::map<std::string, MotionCounts> motion_;
   uint64_t epoch_ = 0, num_events_ = 0, num_place_matches_ = 0;

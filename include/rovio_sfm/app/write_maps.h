@@ -24,9 +24,9 @@ struct WrittenMap {
 };
 
 // Writes every map with a registered image: the largest into the folder itself, the others by size
-// into map_2, map_3 and so on in it. The folder is made. With kAllow, what earlier runs wrote there
-// and this one does not is removed afterwards (map_file_list.h), and nothing else. Throws
-// std::runtime_error where a file cannot be written.
+// into map_2, map_3 and so on in it. The folder is made. With kAllow, and where there is a map,
+// what earlier runs wrote there and this one does not is removed afterwards (map_file_list.h), and
+// nothing else. Throws std::runtime_error where a file cannot be written.
 std::vector<WrittenMap> WriteAllMaps(const MapSnapshot& snapshot, const MapSource& source,
                                      const MapFormats& formats, const std::filesystem::path& folder,
                                      Overwrite overwrite);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -62,12 +63,13 @@ class DriverImages {
   size_t resolution_ GUARDED_BY(mutex_);  // wished for, or what the robot has instead
   bool may_read_ GUARDED_BY(mutex_);      // settings came once, or were waited for
   bool has_settings_ GUARDED_BY(mutex_);  // they came since the robot did, or never will
-  int64_t settings_ns_ GUARDED_BY(mutex_) = INT64_MIN / 2;  // when NoteSettings came
-  std::optional<int64_t> heard_ns_ GUARDED_BY(mutex_);      // when the robot came, if it is there
+  std::optional<int64_t> settings_ns_ GUARDED_BY(mutex_);  // when NoteSettings came
+  std::optional<int64_t> heard_ns_ GUARDED_BY(mutex_);     // when the robot came, if it is there
   StationaryTrigger trigger_ GUARDED_BY(mutex_);
   ImageStatistics statistics_ GUARDED_BY(mutex_);
   ImageLink link_ GUARDED_BY(mutex_) = ImageLink::kConnecting;
   std::string reason_ GUARDED_BY(mutex_) = "no image yet";
+  std::atomic<uint64_t> num_of_old_size_{0};  // images that were not taken
   CurlTransport transport_;
   ReaderGate gate_;
   DriverImagePublisher publisher_;

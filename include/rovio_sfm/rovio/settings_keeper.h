@@ -36,7 +36,7 @@ class SettingsKeeper {
   std::optional<SomeSettings> wanted_;
   std::optional<int64_t> requested_ns_;
   bool was_requested_ = false;  // ever: what is not reported is granted
-  bool is_done_ = false;
+  bool is_done_ = false, is_agreed_ = false;
 };
 
 // "resolution 3, compression 2, …"; "?" for what is not known.
