@@ -131,7 +131,7 @@ def records(_quick):
         publish_tf(master, "map", "session_1/map")
         publish_tf(master, "session_1/map", "rovio1/odom")
         publish_tf(master, "rovio1/odom", "rovio1/base_link")
-        record = ("roslaunch", "rovio_sfm", "record.launch", "robot:=rovio1,rovio2", f"bag:={bag}")
+        record = ("roslaunch", "rovio_sfm", "record.launch", "robot:=rovio1, rovio2", f"bag:={bag}")
         recorder = master.start(*record)
         listens = master.wait_for(
             lambda: "/rovio2/image_raw/compressed" in master.run("rosnode", "info", "/record").text, 60)
