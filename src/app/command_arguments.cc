@@ -58,11 +58,7 @@ std::string WhyNowhere(const PlaceCounters& places) {
 // Those of an earlier run may lie beside other maps.
 void ReplaceLocalized(const std::filesystem::path& folder,
                       std::vector<std::filesystem::path> written) {
-  for (const std::filesystem::path& file : ListedFiles(folder)) {
-    if (!IsLocalized(file.lexically_relative(std::filesystem::absolute(folder)))) {
-      written.push_back(file);
-    }
-  }
+  for (std::filesystem::path& file : ListedMapFiles(folder)) written.push_back(std::move(file));
   RemoveListedBut(folder, written);
 }
 

@@ -1,5 +1,6 @@
 #include "rovio_sfm/app/write_map_files.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -8,6 +9,7 @@
 #include <stdexcept>
 
 #include "rovio_sfm/app/finish_map.h"
+#include "rovio_sfm/app/map_file_list.h"
 #include "rovio_sfm/app/write_page.h"
 #include "rovio_sfm/finish/grid_files.h"
 #include "rovio_sfm/io/export_kitti.h"
@@ -235,11 +237,6 @@ void PrintWritten(const WrittenFiles& written, std::ostream& out) {
   }
 }
 
-bool IsLocalized(const fs::path& name) {
-  static const std::regex kName("(map_[0-9]+/)?localized(_[^/]+)?\\.txt");
-  return std::regex_match(name.string(), kName);
-}
-
 std::vector<NamedFile> LocalizedFiles(const MapSnapshot& snapshot,
                                       const std::map<FrameId, Localization>& localizations) {
   std::vector<NamedFile> files;
@@ -252,6 +249,16 @@ std::vector<NamedFile> LocalizedFiles(const MapSnapshot& snapshot,
       files.push_back({(folder / file.name).string(), std::move(file.content)});
     }
   }
+  return files;
+}
+
+std::vector<fs::path> ListedMapFiles(const fs::path& folder) {
+  static const std::regex kLocalized("(map_[0-9]+/)?localized(_[^/]+)?\\.txt");
+  std::vector<fs::path> files = ListedFiles(folder);
+  const auto is_localized = [&](const fs::path& file) {
+    return std::regex_match(file.lexically_relative(fs::absolute(folder)).string(), kLocalized);
+  };
+  files.erase(std::remove_if(files.begin(), files.end(), is_localized), files.end());
   return files;
 }
 

@@ -59,12 +59,9 @@ std::string Describe(const WrittenMap& map) {
 std::vector<Path> FindMapFiles(const Path& folder) {
   static const std::regex kMapFolder("map_[0-9]+");
   std::set<Path> files;
-  for (const Path& file : ListedFiles(folder)) {
-    if (!IsLocalized(file.lexically_relative(std::filesystem::absolute(folder))))
-      files.insert(file);
-  }
-  AddDefaultFiles(folder, &files);
   if (!std::filesystem::is_directory(folder)) return {};
+  for (Path& file : ListedMapFiles(folder)) files.insert(std::move(file));
+  AddDefaultFiles(folder, &files);
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (std::regex_match(entry.path().filename().string(), kMapFolder)) {
       AddDefaultFiles(entry.path(), &files);

@@ -110,9 +110,8 @@ void DriverImages::CheckSettings(int64_t now_ns) {
 
 // The robot reports a new size before it sends it.
 bool DriverImages::IsOfOldSize(const CameraImage& image) const {
-  const bool may_change =
-      has_settings_ ? settings_ns_ && image.complete_ns - *settings_ns_ <= kSizeChangeNs : true;
-  if (!may_change) return false;
+  const bool changes = settings_ns_ && image.complete_ns - *settings_ns_ <= kSizeChangeNs;
+  if (has_settings_ && !changes) return false;
   const auto& [width_px, height_px] = kSizes[resolution_];
   return image.width_px != width_px || image.height_px != height_px;
 }

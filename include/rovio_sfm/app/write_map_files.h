@@ -60,8 +60,9 @@ void PrintWritten(const WrittenFiles& written, std::ostream& out);
 
 // The poses of localized images in the level frames of their maps, as TUM trajectories by stamp:
 // localized.txt and, for each of several drives, localized_DRIVE.txt, beside the map's own files.
-bool IsLocalized(const std::filesystem::path& name);  // relative to the folder
 std::vector<NamedFile> LocalizedFiles(const MapSnapshot& snapshot,
                                       const std::map<FrameId, Localization>& localizations);
+// What runs have listed in the folder of maps, without such files.
+std::vector<std::filesystem::path> ListedMapFiles(const std::filesystem::path& folder);
 
 }  // namespace rovio_sfm
